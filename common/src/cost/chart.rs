@@ -1,0 +1,180 @@
+//! Tables as plots: SVG with labelled axes, in colours that can be read in light and in dark.
+
+use plotters::prelude::{
+    ChartBuilder, Circle, DrawingArea, EmptyElement, IntoDrawingArea, IntoLogRange, LineSeries,
+    PathElement, SVGBackend, SeriesLabelPosition, Text,
+};
+use plotters::style::{BLACK, Color, IntoFont, RGBColor, TRANSPARENT};
+
+use super::{Plot, Row, Table};
+
+/// Each series has a colour of its own (Okabe and Ito's palette, told apart by the colour-blind).
+const PALETTE: [RGBColor; 7] = [
+    RGBColor(0, 114, 178),
+    RGBColor(213, 94, 0),
+    RGBColor(0, 158, 115),
+    RGBColor(204, 121, 167),
+    RGBColor(230, 159, 0),
+    RGBColor(86, 180, 233),
+    RGBColor(128, 128, 128),
+];
+
+const WIDTH: u32 = 720;
+const HEIGHT: u32 = 420;
+
+/// An error of 0 has no place on a logarithmic axis; it is drawn this far below the others.
+const BELOW: f64 = 0.1;
+
+/// One plot a table, one below the other.
+///
+/// Lines and words have the colour of the text around the picture, so it can be set into a light
+/// or a dark page.
+pub fn svg(tables: &[Table]) -> Result<String, ChartError> {
+    let mut text = String::new();
+    {
+        let size = (WIDTH, HEIGHT * tables.len() as u32);
+        let area = SVGBackend::with_string(&mut text, size).into_drawing_area();
+        for (panel, table) in area.split_evenly((tables.len(), 1)).iter().zip(tables) {
+            draw(panel, table).map_err(|error| ChartError(error.to_string()))?;
+        }
+    }
+    Ok(text.replace("#000000", "currentColor"))
+}
+
+/// The plot could not be drawn.
+#[derive(Debug, thiserror::Error)]
+#[error("the plot can't be drawn: {0}")]
+pub struct ChartError(String);
+
+type Panel<'a> = DrawingArea<SVGBackend<'a>, plotters::coord::Shift>;
+type DrawError = Box<dyn std::error::Error>;
+
+/// What goes on the axes.
+struct Axes {
+    x_label: String,
+    y_label: String,
+    x: fn(&Row) -> f64,
+    y: fn(&Row) -> f64,
+}
+
+fn axes(table: &Table) -> Axes {
+    match table.plot {
+        Plot::ErrorOverTime => Axes {
+            x_label: format!("nanoseconds per unit ({})", table.work_unit),
+            y_label: table.error_metric.into(),
+            x: Row::nanoseconds,
+            y: |row| row.error,
+        },
+        Plot::TimeOver(size) => Axes {
+            x_label: size.into(),
+            y_label: "milliseconds (median)".into(),
+            x: |row| row.size,
+            y: |row| row.time.median,
+        },
+    }
+}
+
+fn draw(panel: &Panel, table: &Table) -> Result<(), DrawError> {
+    let axes = axes(table);
+    let x_range = span(table.rows.iter().map(axes.x));
+    let y_range = span(table.rows.iter().map(axes.y));
+    let floor = y_range.start;
+    let mut chart = ChartBuilder::on(panel)
+        .caption(table.title, ("sans-serif", 18).into_font())
+        .margin(12)
+        .x_label_area_size(48)
+        .y_label_area_size(84)
+        .build_cartesian_2d(x_range.log_scale(), y_range.log_scale())?;
+    chart
+        .configure_mesh()
+        .x_desc(&axes.x_label)
+        .y_desc(&axes.y_label)
+        .axis_desc_style(("sans-serif", 14))
+        .label_style(("sans-serif", 12))
+        .light_line_style(TRANSPARENT)
+        .bold_line_style(BLACK.mix(0.15))
+        .x_label_formatter(&|value| tick(*value))
+        .y_label_formatter(&|value| tick(*value))
+        .draw()?;
+    for (index, series) in series(table).into_iter().enumerate() {
+        let color = PALETTE[index % PALETTE.len()];
+        let points: Vec<(f64, f64)> = table
+            .rows
+            .iter()
+            .filter(|row| name(table, row) == series)
+            .map(|row| ((axes.x)(row), (axes.y)(row).max(floor)))
+            .collect();
+        chart
+            .draw_series(LineSeries::new(points.clone(), color.stroke_width(2)))?
+            .label(&series)
+            .legend(move |(x, y)| PathElement::new([(x, y), (x + 18, y)], color.stroke_width(3)));
+        chart.draw_series(points.iter().map(|&point| {
+            let note = if point.1 <= floor { "0" } else { "" };
+            EmptyElement::at(point)
+                + Circle::new((0, 0), 4, color.filled())
+                + Text::new(note, (6, -6), ("sans-serif", 12))
+        }))?;
+    }
+    chart
+        .configure_series_labels()
+        .position(SeriesLabelPosition::UpperRight)
+        .label_font(("sans-serif", 13))
+        .border_style(BLACK.mix(0.3))
+        .draw()?;
+    panel.present()?;
+    Ok(())
+}
+
+/// The curve a row belongs to.
+fn name(table: &Table, row: &Row) -> String {
+    match table.plot {
+        Plot::ErrorOverTime => row.label.clone(),
+        Plot::TimeOver(_) => row.series.into(),
+    }
+}
+
+/// The names of the curves, in the order they first appear.
+fn series(table: &Table) -> Vec<String> {
+    let mut names = Vec::new();
+    for row in &table.rows {
+        let name = name(table, row);
+        if !names.contains(&name) {
+            names.push(name);
+        }
+    }
+    names
+}
+
+/// The range of a logarithmic axis, with room at both ends and one step below for zeros.
+fn span(values: impl Iterator<Item = f64> + Clone) -> std::ops::Range<f64> {
+    let positive = values.clone().filter(|value| *value > 0.0 && value.is_finite());
+    let low = positive.clone().fold(f64::INFINITY, f64::min);
+    let high = positive.fold(0.0, f64::max);
+    if high == 0.0 {
+        return 0.1..10.0;
+    }
+    let zeros = values.into_iter().any(|value| value <= 0.0);
+    let start = if zeros { low * BELOW } else { low / 1.6 };
+    start..high * 2.5
+}
+
+/// A short label for a tick.
+fn tick(value: f64) -> String {
+    if (0.01..100_000.0).contains(&value) { format!("{value}") } else { format!("{value:.0e}") }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{span, tick};
+
+    #[test]
+    fn zeros_get_a_place_below_the_smallest_error() {
+        let range = span([0.0, 0.5, 2.0].into_iter());
+        assert!(range.start < 0.5 * 0.11 && range.end > 2.0);
+    }
+
+    #[test]
+    fn ticks_are_short() {
+        assert_eq!((tick(0.1), tick(1e-7)), ("0.1".into(), "1e-7".into()));
+    }
+}

@@ -1,0 +1,5 @@
+//! What holds across chapters, and how to ask it: the list of chapters, their real programs, and
+//! their command lines run inside the test.
+
+pub mod chapters;
+pub mod program;
