@@ -38,16 +38,16 @@ pub struct RenderArgs {
     #[arg(long, value_name = "NAME|FILE")]
     pub scene: Option<String>,
     /// Pixels across and down
-    #[arg(long, value_name = "WxH")]
+    #[arg(long, allow_hyphen_values = true, value_name = "WxH")]
     pub size: Option<Size>,
     /// Samples per pixel
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=MOST_SAMPLES))]
+    #[arg(long, allow_hyphen_values = true, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=MOST_SAMPLES))]
     pub spp: Option<u32>,
     /// Which random numbers: the same seed gives the same picture
-    #[arg(long, value_name = "N", default_value_t = 1)]
+    #[arg(long, allow_hyphen_values = true, value_name = "N", default_value_t = 1)]
     pub seed: u64,
     /// Threads; one for each processor if not said
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=MOST_THREADS))]
+    #[arg(long, allow_hyphen_values = true, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=MOST_THREADS))]
     pub threads: Option<u16>,
     /// Where the picture goes: a .png or .exr file
     #[arg(long, value_name = "FILE")]

@@ -40,8 +40,9 @@ pub fn no_note(_table: &Table) -> String {
 /// What the plot of an experiment shows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Plot {
-    /// A point a method: error over nanoseconds for one unit of work.
-    ErrorOverTime,
+    /// A point a method: its error, on an axis with this short label, over the nanoseconds for one
+    /// unit of work.
+    ErrorOverTime(&'static str),
     /// A curve a series: milliseconds over the methods' sizes, whose axis has this label.
     TimeOver(&'static str),
 }

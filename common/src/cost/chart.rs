@@ -59,9 +59,9 @@ struct Axes {
 
 fn axes(table: &Table) -> Axes {
     match table.plot {
-        Plot::ErrorOverTime => Axes {
+        Plot::ErrorOverTime(error) => Axes {
             x_label: format!("nanoseconds per unit ({})", table.work_unit),
-            y_label: table.error_metric.into(),
+            y_label: error.into(),
             x: Row::nanoseconds,
             y: |row| row.error,
         },
@@ -128,7 +128,7 @@ fn draw(panel: &Panel, table: &Table) -> Result<(), DrawError> {
 /// The curve a row belongs to.
 fn name(table: &Table, row: &Row) -> String {
     match table.plot {
-        Plot::ErrorOverTime => row.label.clone(),
+        Plot::ErrorOverTime(_) => row.label.clone(),
         Plot::TimeOver(_) => row.series.into(),
     }
 }
@@ -160,7 +160,11 @@ fn span(values: impl Iterator<Item = f64> + Clone) -> std::ops::Range<f64> {
 
 /// A short label for a tick.
 fn tick(value: f64) -> String {
-    if (0.01..100_000.0).contains(&value) { format!("{value}") } else { format!("{value:.0e}") }
+    if !(0.01..100_000.0).contains(&value) {
+        return format!("{value:.0e}");
+    }
+    // plotters adds its steps up, so that three times 0.1 comes as 0.30000000000000004.
+    format!("{value:.4}").trim_end_matches('0').trim_end_matches('.').to_owned()
 }
 
 #[cfg(test)]
@@ -176,5 +180,6 @@ mod tests {
     #[test]
     fn ticks_are_short() {
         assert_eq!((tick(0.1), tick(1e-7)), ("0.1".into(), "1e-7".into()));
+        assert_eq!((tick(0.1 + 0.2), tick(20_000.0)), ("0.3".into(), "20000".into()));
     }
 }

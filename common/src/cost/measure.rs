@@ -76,7 +76,7 @@ mod tests {
             title: "Turns",
             work_unit: "runs",
             error_metric: "none",
-            plot: Plot::ErrorOverTime,
+            plot: Plot::ErrorOverTime("error"),
             methods: vec![method("a"), method("b")],
             note: no_note,
         };

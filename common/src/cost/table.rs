@@ -149,7 +149,7 @@ mod tests {
             title: "Roots of a quadratic",
             work_unit: "rays",
             error_metric: "RMS error",
-            plot: Plot::ErrorOverTime,
+            plot: Plot::ErrorOverTime("error"),
             rows: vec![row("naive, f32", 0.5), row("f64", 0.0)],
             note: String::new(),
         }

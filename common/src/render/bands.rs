@@ -8,12 +8,13 @@ use crate::tally::Tally;
 
 /// The picture whose rows `shade` fills, so many of them at a time.
 ///
-/// `shade` gives the pixels of a range of rows, row by row, each with all its samples. Bands are
-/// done by any thread and put together in their order.
+/// `shade` gives the pixels of a range of rows, row by row, each with all its samples, or None if it
+/// asked the watch on the way and was told to stop. Bands are done by any thread and put together in
+/// their order.
 pub fn render_bands<T: Tally>(
     settings: &Settings,
     height: u32,
-    shade: impl Fn(Range<u32>, &mut T) -> Vec<Mean> + Sync,
+    shade: impl Fn(Range<u32>, &mut T) -> Option<Vec<Mean>> + Sync,
 ) -> Rendering<T> {
     let bands = Tile::bands(settings, height);
     let finished = run(settings, &bands, |band| {
@@ -21,7 +22,7 @@ pub fn render_bands<T: Tally>(
             return None;
         }
         let mut shaded = Shaded::new(T::default());
-        let pixels = shade(band.top..band.top + band.height, &mut shaded.tally);
+        let pixels = shade(band.top..band.top + band.height, &mut shaded.tally)?;
         pixels.iter().for_each(|mean| shaded.push(mean));
         settings.watch.done(u64::from(band.width) * u64::from(band.height));
         Some(shaded)
@@ -73,7 +74,7 @@ mod tests {
                     mean.add(color(x, y));
                     mean
                 });
-                shaded.collect()
+                Some(shaded.collect())
             });
             assert_eq!((&found.film, &found.tally), (&expected.film, &expected.tally));
             assert!(found.complete);
