@@ -1,0 +1,100 @@
+//! The plane that has no edge.
+
+use glam::{Vec2, Vec3};
+
+use crate::direction::unit;
+use crate::ray::Ray;
+use crate::shape::{Hit, Shape};
+
+/// An infinite plane, with a front: the side its normal points to.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Plane {
+    point: Vec3,
+    normal: Vec3,
+}
+
+impl Plane {
+    /// The plane through `point` at right angles to `normal`, whatever that one's length.
+    ///
+    /// None when the normal has no length or isn't finite, or the point isn't finite.
+    pub fn new(point: Vec3, normal: Vec3) -> Option<Self> {
+        let normal = unit(normal)?;
+        point.is_finite().then_some(Self { point, normal })
+    }
+
+    /// The direction the front faces, of length 1.
+    pub fn normal(&self) -> Vec3 {
+        self.normal
+    }
+
+    // ANCHOR: distance
+    /// Where along the ray the plane lies, if that is at `0 < t < t_max`.
+    ///
+    /// A ray in the plane, or beside it, divides by zero: the infinity or NaN that comes of it
+    /// fails the comparisons, so that no "nearly parallel" has to be decided.
+    pub fn distance(&self, ray: &Ray, t_max: f32) -> Option<f32> {
+        let height = (self.point - ray.origin).dot(self.normal);
+        let t = height / ray.direction.dot(self.normal);
+        (0.0 < t && t < t_max).then_some(t)
+    }
+    // ANCHOR_END: distance
+
+    /// The ray's point at `t`, moved along the normal onto the plane.
+    pub(crate) fn foot(&self, ray: &Ray, t: f32) -> Vec3 {
+        let point = ray.at(t);
+        point - (point - self.point).dot(self.normal) * self.normal
+    }
+}
+
+impl Shape for Plane {
+    fn hit(&self, ray: &Ray, t_max: f32) -> Option<Hit> {
+        let t = self.distance(ray, t_max)?;
+        let point = self.foot(ray, t);
+
+        // Squares of side 1, over and over.
+        let (right, up) = self.normal.any_orthonormal_pair();
+        let from_point = point - self.point;
+        let place = Vec2::new(from_point.dot(right), from_point.dot(up));
+        Some(Hit { t, point, normal: self.normal, uv: place - place.floor() })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use glam::{Vec2, Vec3};
+
+    use super::Plane;
+    use crate::ray::Ray;
+    use crate::shape::Shape;
+
+    #[test]
+    fn a_hit_by_hand() {
+        // Two below the origin, looking down 3 in 5: t = 2 / 0.6.
+        let plane = Plane::new(Vec3::new(7.0, -2.0, 1.0), Vec3::Y * 3.0).expect("a plane");
+        let ray = Ray { origin: Vec3::ZERO, direction: Vec3::new(0.0, -0.6, -0.8) };
+        let hit = plane.hit(&ray, f32::INFINITY).expect("a hit");
+        assert!((hit.t - 10.0 / 3.0).abs() < 1e-6);
+        assert!((hit.point - Vec3::new(0.0, -2.0, -8.0 / 3.0)).length() < 1e-6);
+        assert_eq!(hit.normal, Vec3::Y);
+        assert!(hit.uv.cmpge(Vec2::ZERO).all() && hit.uv.cmple(Vec2::ONE).all());
+        assert!(plane.hit(&ray, hit.t).is_none(), "0 < t < t_max");
+    }
+
+    #[test]
+    fn beside_in_and_behind_are_misses() {
+        let plane = Plane::new(Vec3::ZERO, Vec3::Y).expect("a plane");
+        let miss = |origin, direction| plane.distance(&Ray { origin, direction }, f32::INFINITY);
+        assert_eq!(miss(Vec3::Y, Vec3::X), None, "beside");
+        assert_eq!(miss(Vec3::ZERO, Vec3::X), None, "in the plane");
+        assert_eq!(miss(Vec3::Y, Vec3::Y), None, "behind");
+        assert_eq!(miss(Vec3::Y, Vec3::ZERO), None, "no direction");
+        assert_eq!(miss(Vec3::NAN, Vec3::NEG_Y), None, "no origin");
+        assert_eq!(miss(Vec3::Y, Vec3::NEG_Y * 1e-9), Some(1e9), "a very short direction");
+    }
+
+    #[test]
+    fn a_plane_needs_a_normal_and_a_place() {
+        assert_eq!(Plane::new(Vec3::ZERO, Vec3::ZERO), None);
+        assert_eq!(Plane::new(Vec3::NAN, Vec3::Y), None);
+    }
+}

@@ -1,0 +1,116 @@
+//! What a ray can hit.
+
+use common::tally::{Counts, Event, Tally};
+use glam::{Vec2, Vec3};
+
+use crate::ray::Ray;
+
+/// Questions asked of a shape: does this ray hit you?
+pub const SHAPE_TESTS: Event = Event::new(1, 1, "shape_tests");
+
+// ANCHOR: hit
+/// Where a ray meets a surface.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Hit {
+    /// How far along the ray, in lengths of its direction.
+    pub t: f32,
+    /// The point on the surface.
+    pub point: Vec3,
+    /// The surface's outward normal there, of length 1, whichever side the ray comes from.
+    pub normal: Vec3,
+    /// Where on the surface, in its own coordinates, each in [0, 1].
+    pub uv: Vec2,
+}
+// ANCHOR_END: hit
+
+// ANCHOR: shape
+/// A surface that rays can hit.
+pub trait Shape: Sync {
+    /// The first hit with `0 < t < t_max`, if there is one.
+    fn hit(&self, ray: &Ray, t_max: f32) -> Option<Hit>;
+    // ANCHOR_END: shape
+
+    /// The same, with its work counted. A shape made of many parts counts each of them.
+    fn hit_counted(&self, ray: &Ray, t_max: f32, counts: &mut Counts) -> Option<Hit> {
+        counts.count(SHAPE_TESTS, 1);
+        self.hit(ray, t_max)
+    }
+}
+
+// ANCHOR: nearest
+/// The nearest hit among `shapes`, and which of them it is on.
+///
+/// Each hit found becomes the limit for the shapes after it. Of two hits at the same distance the
+/// earlier shape's stands.
+pub fn nearest<'a, T: Tally>(
+    shapes: &'a [Box<dyn Shape>],
+    ray: &Ray,
+    tally: &mut T,
+) -> Option<Nearest<'a>> {
+    let mut nearest: Option<Nearest> = None;
+    for (index, shape) in shapes.iter().enumerate() {
+        let limit = nearest.as_ref().map_or(f32::INFINITY, |nearest| nearest.hit.t);
+        let hit = match tally.counts() {
+            Some(counts) => shape.hit_counted(ray, limit, counts),
+            None => shape.hit(ray, limit),
+        };
+        nearest = hit.map(|hit| Nearest { hit, index, shape: shape.as_ref() }).or(nearest);
+    }
+    nearest
+}
+// ANCHOR_END: nearest
+
+/// A hit, and the shape it is on.
+#[derive(Clone, Copy)]
+pub struct Nearest<'a> {
+    /// The hit.
+    pub hit: Hit,
+    /// The shape's place in the list.
+    pub index: usize,
+    /// The shape.
+    pub shape: &'a dyn Shape,
+}
+
+#[cfg(test)]
+mod tests {
+    use common::tally::{Counts, Off};
+    use glam::Vec3;
+
+    use super::{SHAPE_TESTS, Shape, nearest};
+    use crate::plane::Plane;
+    use crate::ray::Ray;
+    use crate::sphere::Sphere;
+
+    fn sphere(z: f32, radius: f32) -> Box<dyn Shape> {
+        Box::new(Sphere { center: Vec3::new(0.0, 0.0, z), radius })
+    }
+
+    const AHEAD: Ray = Ray { origin: Vec3::ZERO, direction: Vec3::NEG_Z };
+
+    #[test]
+    fn the_nearest_in_whichever_order() {
+        let wall = Plane::new(Vec3::NEG_Z * 9.0, Vec3::Z).expect("a plane");
+        let mut shapes =
+            vec![sphere(-7.0, 1.5), sphere(-4.0, 0.5), Box::new(wall), sphere(3.0, 2.0)];
+        for _ in 0..shapes.len() {
+            let found = nearest(&shapes, &AHEAD, &mut Off).expect("a hit");
+            assert_eq!(found.hit.t, 3.5);
+            assert_eq!(found.shape.hit(&AHEAD, f32::INFINITY), Some(found.hit));
+            shapes.rotate_left(1);
+        }
+    }
+
+    #[test]
+    fn the_earlier_of_two_at_the_same_distance() {
+        let shapes = [sphere(-5.0, 2.0), sphere(-6.0, 3.0)];
+        let found = nearest(&shapes, &AHEAD, &mut Off).expect("a hit");
+        assert_eq!((found.index, found.hit.t), (0, 3.0));
+    }
+
+    #[test]
+    fn every_question_is_counted() {
+        let mut counts = Counts::default();
+        assert!(nearest(&[sphere(4.0, 1.0), sphere(5.0, 1.0)], &AHEAD, &mut counts).is_none());
+        assert_eq!(counts.of(SHAPE_TESTS), 2);
+    }
+}
