@@ -1,0 +1,177 @@
+//! Four triangles at once: the watertight test on a layout the processor likes.
+//!
+//! A processor does one operation on four `f32` as fast as on one, if the four lie side by side. So
+//! the corners of four triangles are stored coordinate by coordinate. The arithmetic is that of
+//! [`ShearedRay`], operation by operation, so the answers are the same to the last bit.
+
+use glam::{Vec3, Vec4};
+use ray_casting::ray::Ray;
+
+use crate::brute::Found;
+use crate::intersect::TriangleTest;
+use crate::watertight::ShearedRay;
+
+/// How many triangles are asked together: a [`Vec4`] has one number for each.
+pub const LANES: usize = 4;
+
+// ANCHOR: pack
+/// Triangles that are asked together.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Pack {
+    /// The four triangles' corners a, then b, then c: of each the four x, the four y, the four z.
+    corners: [[Vec4; 3]; 3],
+}
+
+/// Many triangles, ready to be asked.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Packed {
+    packs: Vec<Pack>,
+    corners: Vec<[Vec3; 3]>,
+}
+// ANCHOR_END: pack
+
+impl Packed {
+    /// The same triangles in the same order.
+    pub fn new(corners: Vec<[Vec3; 3]>) -> Self {
+        Self { packs: corners.chunks(LANES).map(Pack::new).collect(), corners }
+    }
+
+    /// How many triangles there are.
+    pub fn len(&self) -> usize {
+        self.corners.len()
+    }
+
+    /// Whether there are none.
+    pub fn is_empty(&self) -> bool {
+        self.corners.is_empty()
+    }
+
+    /// The corners, triangle by triangle.
+    pub fn corners(&self) -> &[[Vec3; 3]] {
+        &self.corners
+    }
+
+    // ANCHOR: nearest
+    /// The nearest hit with `0 < t < t_max`: what [`crate::brute::nearest`] finds, to the bit.
+    pub fn nearest(&self, ray: &Ray, t_max: f32) -> Option<Found> {
+        let ray = ShearedRay::prepare(ray)?;
+        let four_rays = FourRays::new(&ray);
+        let mut nearest = None;
+        let mut limit = t_max;
+        for (pack, first) in self.packs.iter().zip((0..).step_by(LANES)) {
+            if pack.all_missed(&four_rays) {
+                continue;
+            }
+            for (index, corners) in (first..).zip(self.corners[first..].iter().take(LANES)) {
+                if let Some(hit) = ray.hit(corners, limit) {
+                    limit = hit.t;
+                    nearest = Some(Found { hit, index });
+                }
+            }
+        }
+        nearest
+    }
+    // ANCHOR_END: nearest
+}
+
+impl Pack {
+    /// Up to [`LANES`] triangles; where there are fewer, the first fills the rest.
+    fn new(triangles: &[[Vec3; 3]]) -> Self {
+        let lane = |lane: usize| triangles.get(lane).unwrap_or(&triangles[0]);
+        let four =
+            |corner: usize, axis: usize| Vec4::from([0, 1, 2, 3].map(|at| lane(at)[corner][axis]));
+        let corners = [0, 1, 2].map(|corner| [0, 1, 2].map(|axis| four(corner, axis)));
+        Self { corners }
+    }
+
+    // ANCHOR: all_missed
+    /// Whether edge functions of different signs prove for each triangle that the ray misses it.
+    #[inline]
+    fn all_missed(&self, ray: &FourRays) -> bool {
+        let [a, b, c] = &self.corners;
+        let (a, b, c) = (ray.shear(a), ray.shear(b), ray.shear(c));
+        let (u, v, w) = (edge(&b, &c), edge(&c, &a), edge(&a, &b));
+        let negative = u.cmplt(Vec4::ZERO) | v.cmplt(Vec4::ZERO) | w.cmplt(Vec4::ZERO);
+        let positive = u.cmpgt(Vec4::ZERO) | v.cmpgt(Vec4::ZERO) | w.cmpgt(Vec4::ZERO);
+        (negative & positive).all()
+    }
+    // ANCHOR_END: all_missed
+}
+
+/// One ray, in each lane.
+struct FourRays {
+    order: [usize; 3],
+    origin: [Vec4; 3],
+    shear: [Vec4; 2],
+}
+
+/// Four points in the plane across the ray, one of each triangle.
+struct FourPoints {
+    x: Vec4,
+    y: Vec4,
+}
+
+impl FourRays {
+    fn new(ray: &ShearedRay) -> Self {
+        let order = ray.longest.order();
+        let origin = order.map(|axis| Vec4::splat(ray.origin[axis]));
+        let shear = [Vec4::splat(ray.shear.x), Vec4::splat(ray.shear.y)];
+        Self { order, origin, shear }
+    }
+
+    #[inline]
+    fn shear(&self, corner: &[Vec4; 3]) -> FourPoints {
+        let [i, j, k] = self.order;
+        let depth = corner[k] - self.origin[2];
+        FourPoints {
+            x: (corner[i] - self.origin[0]) - self.shear[0] * depth,
+            y: (corner[j] - self.origin[1]) - self.shear[1] * depth,
+        }
+    }
+}
+
+#[inline]
+fn edge(p: &FourPoints, q: &FourPoints) -> Vec4 {
+    p.x * q.y - p.y * q.x
+}
+
+#[cfg(test)]
+mod tests {
+    use common::sampler::Stream;
+    use glam::Vec3;
+    use ray_casting::ray::Ray;
+
+    use super::Packed;
+    use crate::brute::nearest;
+    use crate::bumpy;
+    use crate::hard::aimed::NEAR;
+    use crate::watertight::ShearedRay;
+
+    #[test]
+    fn four_at_a_time_finds_what_one_at_a_time_does() {
+        for (mesh, trials) in NEAR.iter().zip([4000, 2000, 500]) {
+            // Sizes that four divides, and sizes that leave one, two and three over.
+            for left_out in 0..4 {
+                let corners = mesh.corners[left_out..].to_vec();
+                let packed = Packed::new(corners.clone());
+                for trial in 0..trials / 4 {
+                    let mut stream = Stream::of_trial(left_out as u64, trial);
+                    let aim = mesh.at_edge(&mut stream).expect("an edge is not at the middle");
+                    let one = nearest::<ShearedRay>(&corners, &aim.ray, f32::INFINITY);
+                    assert_eq!(packed.nearest(&aim.ray, f32::INFINITY), one);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn no_triangles_no_hit_and_no_direction_no_hit() {
+        let ray = Ray { origin: Vec3::ZERO, direction: Vec3::X };
+        assert_eq!(Packed::new(Vec::new()).nearest(&ray, f32::INFINITY), None);
+        let packed = Packed::new(bumpy::sphere(30).all_corners());
+        assert!(packed.nearest(&ray, f32::INFINITY).is_some());
+        assert!(packed.nearest(&ray, f32::NAN).is_none());
+        let nowhere = Ray { direction: Vec3::ZERO, ..ray };
+        assert_eq!(packed.nearest(&nowhere, f32::INFINITY), None);
+    }
+}
