@@ -73,3 +73,16 @@ fn every_chapter_has_its_row() {
         assert!(readme.contains(&command), "{command}");
     }
 }
+
+/// The README's pictures are what the chapters draw today, to the last byte.
+#[test]
+fn the_pictures_are_the_chapters_own() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    for chapter in &CHAPTERS {
+        let new = folder.path().join("new.png");
+        print(chapter, &format!("--size 320x240 --spp 4 --out {}", new.display()));
+        let kept = workspace().join(format!("assets/pictures/{}.png", chapter.id));
+        let [kept, new] = [kept, new].map(|path| std::fs::read(path).expect("a picture"));
+        assert!(kept == new, "make it again: assets/README.md says how ({})", chapter.id);
+    }
+}

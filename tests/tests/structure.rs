@@ -68,11 +68,11 @@ fn every_chapter_has_four_exercises_or_more_each_with_a_test() {
 }
 
 #[test]
-fn no_two_hard_cases_share_a_name() {
+fn no_two_hard_cases_of_a_chapter_share_a_name() {
     let mut names = HashSet::new();
     let common = common::hard::pixels::CASES;
     let cases = common.into_iter().chain(CHAPTERS.iter().flat_map(|chapter| (chapter.hard)()));
     for case in cases {
-        assert!(names.insert(case.id), "{} is there twice", case.id);
+        assert!(names.insert((case.chapter, case.id)), "{} is there twice", case.id);
     }
 }
