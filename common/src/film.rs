@@ -44,11 +44,13 @@ impl Film {
     }
 
     /// The colour at column `x` and row `y`, both from the top left.
+    #[inline]
     pub fn pixel(&self, x: u32, y: u32) -> Color {
         self.pixels[self.index(x, y)]
     }
 
     /// The same, to be changed.
+    #[inline]
     pub fn pixel_mut(&mut self, x: u32, y: u32) -> &mut Color {
         let index = self.index(x, y);
         &mut self.pixels[index]
@@ -83,6 +85,7 @@ impl Film {
         means
     }
 
+    #[inline]
     fn index(&self, x: u32, y: u32) -> usize {
         debug_assert!(x < self.width && y < self.height);
         y as usize * self.width as usize + x as usize
@@ -102,6 +105,7 @@ pub struct Mean {
 impl Mean {
     /// Takes in one sample. One that is NaN or infinite is counted and otherwise ignored, so that
     /// it can't blacken the pixel and can't hide either.
+    #[inline]
     pub fn add(&mut self, sample: Color) {
         if sample.is_finite() {
             self.sum += sample.as_dvec3();
@@ -112,11 +116,13 @@ impl Mean {
     }
 
     /// The average of the finite samples; black where there were none.
+    #[inline]
     pub fn color(&self) -> Color {
         if self.samples == 0 { Color::ZERO } else { (self.sum / self.samples as f64).as_vec3() }
     }
 
     /// How many samples were NaN or infinite.
+    #[inline]
     pub fn nonfinite(&self) -> u64 {
         self.nonfinite
     }

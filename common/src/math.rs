@@ -6,31 +6,37 @@
 //! everywhere. Angles are in radians.
 
 /// Sine.
+#[inline]
 pub fn sin(angle: f32) -> f32 {
     libm::sinf(angle)
 }
 
 /// Cosine.
+#[inline]
 pub fn cos(angle: f32) -> f32 {
     libm::cosf(angle)
 }
 
 /// Tangent.
+#[inline]
 pub fn tan(angle: f32) -> f32 {
     libm::tanf(angle)
 }
 
 /// Arc cosine, in [0, π]; NaN outside [-1, 1].
+#[inline]
 pub fn acos(cosine: f32) -> f32 {
     libm::acosf(cosine)
 }
 
 /// The angle of the point (x, y), in [-π, π].
+#[inline]
 pub fn atan2(y: f32, x: f32) -> f32 {
     libm::atan2f(y, x)
 }
 
 /// `base` to the power `exponent`; NaN for a negative base and a fractional exponent.
+#[inline]
 pub fn pow(base: f32, exponent: f32) -> f32 {
     libm::powf(base, exponent)
 }
@@ -40,6 +46,7 @@ pub fn pow(base: f32, exponent: f32) -> f32 {
 ///
 /// Kahan's algorithm; see Jeannerod, Louvet and Muller, "Further analysis of Kahan's algorithm for
 /// the accurate computation of 2x2 determinants" (Mathematics of Computation 82, 2013).
+#[inline]
 pub fn difference_of_products(a: f32, b: f32, c: f32, d: f32) -> f32 {
     let cd = c * d;
     let difference = a.mul_add(b, -cd);

@@ -83,6 +83,7 @@ pub struct Pixel {
 impl Pixel {
     /// Where on the film the sample lies, in pixels: (0, 0) is the film's top left corner and the
     /// centre of the first pixel is (0.5, 0.5).
+    #[inline]
     pub fn position(self, sampler: &Sampler) -> Vec2 {
         Vec2::new(self.x as f32, self.y as f32) + sampler.pixel_offset()
     }

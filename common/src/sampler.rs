@@ -45,22 +45,26 @@ pub struct Sampler {
 
 impl Sampler {
     /// The numbers of sample `index` of `count` in pixel number `pixel`.
+    #[inline]
     pub fn new(seed: u64, pixel: u64, index: u32, count: u32) -> Self {
         let key = mix(mix(mix(seed) ^ pixel) ^ u64::from(index));
         Self { key, index, count }
     }
 
     /// Which of the pixel's samples this is, from 0.
+    #[inline]
     pub fn index(&self) -> u32 {
         self.index
     }
 
     /// How many samples the pixel has.
+    #[inline]
     pub fn count(&self) -> u32 {
         self.count
     }
 
     /// The numbers for one purpose at one bounce of the path (0 is the camera).
+    #[inline]
     pub fn stream(&self, bounce: u32, purpose: Purpose) -> Stream {
         let state = mix(self.key ^ purpose.0);
         Stream(Pcg32::new(mix(state ^ u64::from(bounce)), state))
@@ -68,6 +72,7 @@ impl Sampler {
 
     /// Where in its pixel the sample lies, each coordinate in [0, 1): the centre when the pixel has
     /// one sample, anywhere when it has more.
+    #[inline]
     pub fn pixel_offset(&self) -> Vec2 {
         if self.count == 1 { Vec2::splat(0.5) } else { self.stream(0, PIXEL_OFFSET).uniform2() }
     }
@@ -84,17 +89,20 @@ impl Stream {
     }
 
     /// 32 random bits.
+    #[inline]
     pub fn bits(&mut self) -> u32 {
         self.0.next_u32()
     }
 
     /// A uniform number in [0, 1), one of 2²⁴ evenly spaced. Dividing 32 bits by 2³² instead would
     /// round the top 128 of them to 1 (hard case MC-01).
+    #[inline]
     pub fn uniform(&mut self) -> f32 {
         (self.bits() >> 8) as f32 * f32::EPSILON / 2.0
     }
 
     /// Two uniform numbers, drawn in the order x, y.
+    #[inline]
     pub fn uniform2(&mut self) -> Vec2 {
         let x = self.uniform();
         let y = self.uniform();
@@ -102,6 +110,7 @@ impl Stream {
     }
 
     /// A uniform number in [`low`, `high`).
+    #[inline]
     pub fn between(&mut self, low: f32, high: f32) -> f32 {
         let between = low + (high - low) * self.uniform();
         // Rounding can carry the sum up to the open end.
@@ -111,6 +120,7 @@ impl Stream {
 
 /// The finalizer of SplitMix64: every output bit depends on every input bit, and no two inputs
 /// give the same output.
+#[inline]
 fn mix(key: u64) -> u64 {
     let key = key.wrapping_add(0x9e37_79b9_7f4a_7c15);
     let key = (key ^ (key >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);

@@ -9,6 +9,7 @@ use crate::math;
 const KNEE: f64 = 0.003_130_668_442_500_64;
 
 /// The sRGB code in [0, 1] of a linear value. Values outside [0, 1] are clamped; NaN gives 0.
+#[inline]
 pub fn encode(linear: f32) -> f32 {
     let linear = if linear > 0.0 { linear.min(1.0) } else { 0.0 };
     if linear <= KNEE as f32 {
@@ -28,6 +29,7 @@ pub fn decode(code: f32) -> f32 {
 }
 
 /// The 8-bit sRGB code of a linear value, rounded to the nearest.
+#[inline]
 pub fn encode_byte(linear: f32) -> u8 {
     (encode(linear) * 255.0 + 0.5) as u8
 }
