@@ -161,7 +161,7 @@ fn scene_list(scenes: &[SceneName]) -> String {
 }
 
 /// The failure of a scene name that is neither built in nor a file.
-pub fn unknown_scene<C: Chapter>(name: &str) -> Failure {
-    let list = scene_list(C::SCENES);
+pub fn unknown_scene(name: &str, scenes: &[SceneName]) -> Failure {
+    let list = scene_list(scenes);
     Failure::Usage(format!("there is no scene and no file called '{name}'\n\n{list}"))
 }

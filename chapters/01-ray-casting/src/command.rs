@@ -104,7 +104,7 @@ fn geometry(name: &str, sphere: SphereShape) -> Result<Geometry, Failure> {
         file if Path::new(file).is_file() => Err(Failure::Usage(format!(
             "'{file}' is a file, and this chapter reads none; --help lists its scenes"
         ))),
-        other => Err(unknown_scene::<RayCasting>(other)),
+        other => Err(unknown_scene(other, RayCasting::SCENES)),
     }
 }
 

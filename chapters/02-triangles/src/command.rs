@@ -21,7 +21,7 @@ use crate::mesh::Mesh;
 use crate::naive::MollerTrumbore;
 use crate::picture::{Depths, Picture, SMOOTH_NORMALS};
 use crate::reference::DoubleRay;
-use crate::scene::MeshScene;
+use crate::scene::{self, MeshScene};
 use crate::{cost, hard};
 
 /// Chapter 2.
@@ -69,12 +69,7 @@ impl Chapter for Triangles {
     const ID: &'static str = "02-triangles";
     const ABOUT: &'static str = "The Stanford bunny: each ray asks each of its 3,674 triangles";
     const DEFAULTS: Defaults = Defaults { scene: "bunny", width: 640, height: 480, spp: 1 };
-    const SCENES: &'static [SceneName] = &[
-        SceneName { name: "bunny", about: "the Stanford bunny, 3,674 triangles" },
-        SceneName { name: "two-triangles", about: "two triangles that share an edge" },
-        SceneName { name: "sphere:N", about: "a bumpy closed sphere with N triangles" },
-        SceneName { name: "FILE.obj", about: "a mesh of your own" },
-    ];
+    const SCENES: &'static [SceneName] = scene::SCENES;
     const SKILLS: &'static [Skill] = &[
         Skill { effect: Effect::PrimaryVisibility, unless: "the scene is empty" },
         Skill { effect: Effect::SmoothNormals, unless: "the picture shows no vertex normals" },

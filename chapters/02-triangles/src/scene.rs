@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use common::chapter::{Failure, unknown_scene};
+use common::chapter::{Failure, SceneName, unknown_scene};
 use common::obj;
 use common::plan::Call;
 use glam::Vec3;
@@ -11,9 +11,16 @@ use ray_casting::camera::View;
 use crate::bumpy;
 use crate::bunny::bunny;
 use crate::calls;
-use crate::command::Triangles;
 use crate::convert::{Normals, mesh_of};
 use crate::mesh::Mesh;
+
+/// The scenes this chapter has.
+pub const SCENES: &[SceneName] = &[
+    SceneName { name: "bunny", about: "the Stanford bunny, 3,674 triangles" },
+    SceneName { name: "two-triangles", about: "two triangles that share an edge" },
+    SceneName { name: "sphere:N", about: "a bumpy closed sphere with N triangles" },
+    SceneName { name: "FILE.obj", about: "a mesh of your own" },
+];
 
 /// A mesh, and where it is seen from.
 #[derive(Clone, Debug)]
@@ -57,7 +64,7 @@ impl MeshScene {
         if is_mesh || path.exists() {
             return from_file(path, normals);
         }
-        Err(unknown_scene::<Triangles>(name))
+        Err(unknown_scene(name, SCENES))
     }
 
     fn built_in(mut mesh: Mesh, view: View, normals: Normals) -> Self {

@@ -19,7 +19,7 @@ use crate::project::Projection;
 use crate::raster::{DEPTH_TESTS, PIXELS_TESTED, PIXELS_WRITTEN};
 use crate::rasterizer::Rasterizer;
 use crate::samples::{exact_position, position};
-use crate::scene::Stage;
+use crate::scene::{self, Stage};
 use crate::setup::{CLIP_TESTS, TRIANGLES_CLIPPED, TRIANGLES_PROJECTED};
 use crate::{cost, hard, image, object, shade};
 
@@ -66,16 +66,7 @@ impl Chapter for ObjectOrder {
     const ABOUT: &'static str = "Chapter 3: the bunny again, triangle by triangle";
     const DEFAULTS: Defaults = Defaults { scene: "bunny", width: 640, height: 480, spp: 1 };
     const LONGEST_SIDE: u32 = LONGEST_SIDE;
-    const SCENES: &'static [SceneName] = &[
-        SceneName { name: "bunny", about: "the Stanford bunny, 3,674 triangles" },
-        SceneName { name: "two-triangles", about: "two triangles that share an edge" },
-        SceneName { name: "sphere:N", about: "a bumpy closed sphere with N triangles" },
-        SceneName {
-            name: "inside",
-            about: "a bumpy sphere seen from within, half of it behind you",
-        },
-        SceneName { name: "FILE.obj", about: "a mesh of your own" },
-    ];
+    const SCENES: &'static [SceneName] = scene::SCENES;
     const SKILLS: &'static [Skill] = &[
         Skill { effect: Effect::PrimaryVisibility, unless: "the scene is empty" },
         Skill { effect: Effect::SmoothNormals, unless: "the picture shows no vertex normals" },

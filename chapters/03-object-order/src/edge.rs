@@ -97,12 +97,13 @@ mod tests {
 
     #[test]
     fn an_edge_and_its_reverse_never_agree_on_a_sample() {
-        let (a, b) = (at(17, -240), at(401, 272));
-        for x in -50..450 {
-            for y in -260..300 {
-                let sample = at(x, y);
+        let slanted = [at(17, -240), at(401, 272)];
+        let level = [at(17, 30), at(401, 30)];
+        let upright = [at(17, -240), at(17, 272)];
+        for [a, b] in [slanted, level, upright] {
+            for sample in (-50..450).flat_map(|x| (-260..300).map(move |y| at(x, y))) {
                 let there = Edge::new(a, b).value(sample) >= 0;
-                assert_ne!(there, Edge::new(b, a).value(sample) >= 0);
+                assert_ne!(there, Edge::new(b, a).value(sample) >= 0, "{a:?} {b:?} {sample:?}");
             }
         }
     }

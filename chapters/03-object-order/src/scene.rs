@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use common::chapter::{Failure, unknown_scene};
+use common::chapter::{Failure, SceneName, unknown_scene};
 use common::plan::{Call, Effect};
 use glam::Vec3;
 use ray_casting::camera::{Camera, View};
@@ -11,9 +11,17 @@ use triangles::mesh::Mesh;
 use triangles::scene::MeshScene;
 
 use crate::clip::Volume;
-use crate::command::ObjectOrder;
 use crate::project::{FilmPoint, Projection};
 use crate::setup::project;
+
+/// The scenes this chapter has.
+pub const SCENES: &[SceneName] = &[
+    SceneName { name: "bunny", about: "the Stanford bunny, 3,674 triangles" },
+    SceneName { name: "two-triangles", about: "two triangles that share an edge" },
+    SceneName { name: "sphere:N", about: "a bumpy closed sphere with N triangles" },
+    SceneName { name: "inside", about: "a bumpy sphere seen from within, half of it behind you" },
+    SceneName { name: "FILE.obj", about: "a mesh of your own" },
+];
 
 /// A mesh with a camera, and what is to be known before it is drawn.
 pub struct Stage {
@@ -44,7 +52,7 @@ impl Stage {
             return Self::of(name, mesh, &INSIDE_VIEW, calls);
         }
         if !is_of_chapter_2(name) {
-            return Err(unknown_scene::<ObjectOrder>(name));
+            return Err(unknown_scene(name, SCENES));
         }
         let MeshScene { mesh, view, warnings, calls, .. } = MeshScene::named(name)?;
         for warning in &warnings {

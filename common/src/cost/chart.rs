@@ -117,12 +117,20 @@ fn draw(panel: &Panel, table: &Table) -> Result<(), DrawError> {
     }
     chart
         .configure_series_labels()
-        .position(SeriesLabelPosition::UpperRight)
+        .position(legend(table.plot))
         .label_font(("sans-serif", 13))
         .border_style(BLACK.mix(0.3))
         .draw()?;
     panel.present()?;
     Ok(())
+}
+
+/// Where the legend covers nothing: curves of time over size rise to the right.
+fn legend(plot: Plot) -> SeriesLabelPosition {
+    match plot {
+        Plot::ErrorOverTime(_) => SeriesLabelPosition::UpperRight,
+        Plot::TimeOver(_) => SeriesLabelPosition::UpperLeft,
+    }
 }
 
 /// The curve a row belongs to.
