@@ -16,6 +16,10 @@ impl Snapshot {
 
     /// The files that are new, gone or changed since `before`.
     pub fn changes(&self, before: &Self) -> Vec<PathBuf> {
+        // Nearly always nothing has changed, and this is asked several times a second.
+        if self == before {
+            return Vec::new();
+        }
         let new = self.0.iter().filter(|entry| !before.0.contains(entry));
         let gone = before.0.iter().filter(|(path, _)| self.0.iter().all(|(now, _)| now != path));
         new.chain(gone).map(|(path, _)| path.clone()).collect()

@@ -9,29 +9,22 @@ pub fn workspace() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR")).parent().expect("the tests lie in the workspace")
 }
 
-/// A chapter's program, of the profile these tests were built with.
+/// A chapter's program, optimized as for `cargo run --release`. All are built if need be.
 pub fn program(package: &str) -> PathBuf {
     static BUILT: OnceLock<PathBuf> = OnceLock::new();
-    BUILT.get_or_init(|| build(&[])).join(package)
-}
-
-/// The same, optimized as for `cargo run --release`.
-pub fn release_program(package: &str) -> PathBuf {
-    static BUILT: OnceLock<PathBuf> = OnceLock::new();
-    BUILT.get_or_init(|| build(&["--release"])).join(package)
+    BUILT.get_or_init(build).join(package)
 }
 
 /// Builds all programs but the book's and gives the folder they are in.
-fn build(options: &[&str]) -> PathBuf {
+fn build() -> PathBuf {
     let cargo = std::env::var("CARGO").unwrap_or_else(|_| "cargo".into());
     let mut command = Command::new(cargo);
-    command.current_dir(workspace()).args(["build", "--quiet", "--bins"]).args(options);
+    command.current_dir(workspace()).args(["build", "--quiet", "--release", "--bins"]);
     for chapter in crate::chapters::CHAPTERS {
         command.args(["-p", chapter.package()]);
     }
     assert!(command.status().expect("cargo runs").success(), "{command:?}");
-    let profile = if options.is_empty() { "debug" } else { "release" };
-    target_folder().join(profile)
+    target_folder().join("release")
 }
 
 /// `target`, from the place of this test's own program: `target/debug/deps/…`.

@@ -3,7 +3,7 @@
 
 use serde_json::Value;
 use tests::chapters::{CHAPTERS, render};
-use tests::program::{program, release_program, run, workspace};
+use tests::program::{program, run};
 
 /// More than one tile, more than one sample, and no multiple of anything.
 const SMALL: &str = "--size 67x45 --spp 3 --seed 9";
@@ -52,20 +52,15 @@ fn no_sample_is_nan_or_infinite() {
     }
 }
 
-/// This test's own profile against the one a reader runs. The programs are built if need be.
+/// The chapters inside this test, in the tests' build profile, against the programs a reader runs.
 #[test]
 fn debug_and_release_agree() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
     for chapter in &CHAPTERS {
-        let hash = |program: &std::path::Path| {
-            let options = "--size 67x45 --spp 3 --seed 9 --json --out";
-            let picture = format!("out/tests/{}-profile.exr", chapter.id);
-            let mut arguments: Vec<&str> = options.split(' ').collect();
-            arguments.push(&picture);
-            let output = run(program, workspace(), &arguments);
-            let json: Value = serde_json::from_slice(&output.stdout).expect("one JSON object");
-            json["hash"].clone()
-        };
-        let package = chapter.package();
-        assert_eq!(hash(&program(package)), hash(&release_program(package)), "{}", chapter.id);
+        let line = format!("{SMALL} --json --out release.exr");
+        let arguments: Vec<&str> = line.split(' ').collect();
+        let output = run(&program(chapter.package()), folder.path(), &arguments);
+        let json: Value = serde_json::from_slice(&output.stdout).expect("one JSON object");
+        assert_eq!(render(chapter, SMALL)["hash"], json["hash"], "{}", chapter.id);
     }
 }
