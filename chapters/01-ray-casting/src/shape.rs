@@ -95,6 +95,8 @@ mod tests {
         for _ in 0..shapes.len() {
             let found = nearest(&shapes, &AHEAD, &mut Off).expect("a hit");
             assert_eq!(found.hit.t, 3.5);
+            let counted = nearest(&shapes, &AHEAD, &mut Counts::default()).expect("a hit");
+            assert_eq!((counted.index, counted.hit), (found.index, found.hit));
             assert_eq!(found.shape.hit(&AHEAD, f32::INFINITY), Some(found.hit));
             shapes.rotate_left(1);
         }
