@@ -5,6 +5,7 @@ use glam::DVec3;
 use crate::crossing::Crossing;
 use crate::longitude::uv;
 use crate::ray::Ray;
+use crate::rounding::gamma;
 use crate::shape::{Hit, Shape};
 use crate::sphere::Sphere;
 
@@ -67,6 +68,7 @@ impl Shape for DoubleSphere {
         let normal = outward / outward.length();
         let point = (center + f64::from(sphere.radius) * normal).as_vec3();
         let normal = normal.as_vec3();
-        Some(Hit { t, point, normal, uv: uv(normal) })
+        let error = gamma(5) * (sphere.center.abs() + (sphere.radius * normal).abs());
+        Some(Hit { t, point, error, geometric: normal, normal, uv: uv(normal) })
     }
 }

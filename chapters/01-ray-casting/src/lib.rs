@@ -19,6 +19,7 @@
 //! | [`shape`] | what a ray can hit, and the nearest hit of several |
 //! | [`sphere`], [`plane`], [`quad`] | three shapes |
 //! | [`crossing`] | where a line goes in and out |
+//! | [`rounding`] | how wrong a computed point may be |
 //! | [`longitude`] | where on a sphere a point is |
 //! | [`scene`] | shapes and a view together: the report's spheres, and scenes that hurt |
 //! | [`picture`] | what a pixel shows of what its ray hit |
@@ -41,6 +42,7 @@ pub mod picture;
 pub mod plane;
 pub mod quad;
 pub mod ray;
+pub mod rounding;
 pub mod scene;
 pub mod shape;
 pub mod sphere;

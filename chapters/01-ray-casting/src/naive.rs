@@ -63,7 +63,7 @@ impl Shape for NaiveSphere {
         let t = self.crossing(ray)?.first(t_max)?;
         let point = ray.at(t);
         let normal = (point - sphere.center) / sphere.radius;
-        Some(Hit { t, point, normal, uv: uv(normal) })
+        Some(Hit { t, point, error: Vec3::ZERO, geometric: normal, normal, uv: uv(normal) })
     }
 }
 

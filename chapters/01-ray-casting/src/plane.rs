@@ -4,6 +4,7 @@ use glam::{Vec2, Vec3};
 
 use crate::direction::unit;
 use crate::ray::Ray;
+use crate::rounding::gamma;
 use crate::shape::{Hit, Shape};
 
 /// An infinite plane, with a front: the side its normal points to.
@@ -55,7 +56,9 @@ impl Shape for Plane {
         let (right, up) = self.normal.any_orthonormal_pair();
         let from_point = point - self.point;
         let place = Vec2::new(from_point.dot(right), from_point.dot(up));
-        Some(Hit { t, point, normal: self.normal, uv: place - place.floor() })
+        let error = gamma(5) * (point.abs() + self.point.abs());
+        let (normal, uv) = (self.normal, place - place.floor());
+        Some(Hit { t, point, error, geometric: normal, normal, uv })
     }
 }
 

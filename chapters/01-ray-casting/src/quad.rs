@@ -5,6 +5,7 @@ use glam::{Vec2, Vec3};
 use crate::direction::{cross, unit};
 use crate::plane::Plane;
 use crate::ray::Ray;
+use crate::rounding::gamma;
 use crate::shape::{Hit, Shape};
 
 /// A parallelogram: a corner, and the two edges that leave it.
@@ -56,8 +57,11 @@ impl Shape for Quad {
         let t = self.plane.distance(ray, t_max)?;
         let uv = self.place(ray.at(t));
         let inside = uv.cmpge(Vec2::ZERO).all() && uv.cmple(Vec2::ONE).all();
-        let point = self.corner + uv.x * self.edges[0] + uv.y * self.edges[1];
-        inside.then_some(Hit { t, point, normal: self.plane.normal(), uv })
+        let (along_first, along_second) = (uv.x * self.edges[0], uv.y * self.edges[1]);
+        let point = self.corner + along_first + along_second;
+        let error = gamma(5) * (self.corner.abs() + along_first.abs() + along_second.abs());
+        let normal = self.plane.normal();
+        inside.then_some(Hit { t, point, error, geometric: normal, normal, uv })
     }
 }
 // ANCHOR_END: hit

@@ -1,5 +1,7 @@
 //! What a ray can hit.
 
+use std::borrow::Borrow;
+
 use common::tally::{Counts, Event, Tally};
 use glam::{Vec2, Vec3};
 
@@ -16,7 +18,12 @@ pub struct Hit {
     pub t: f32,
     /// The point on the surface.
     pub point: Vec3,
-    /// The surface's outward normal there, of length 1, whichever side the ray comes from.
+    /// How far from the surface `point` may be along each axis, for the roundings on its way.
+    pub error: Vec3,
+    /// The surface's own outward normal there, of length 1, whichever side the ray comes from.
+    pub geometric: Vec3,
+    /// The normal the surface is to be shaded with, of length 1: the surface's own, but for meshes
+    /// that are to look smooth.
     pub normal: Vec3,
     /// Where on the surface, in its own coordinates, each in [0, 1].
     pub uv: Vec2,
@@ -25,10 +32,15 @@ pub struct Hit {
 
 // ANCHOR: shape
 /// A surface that rays can hit.
-pub trait Shape: Sync {
+pub trait Shape: Send + Sync {
     /// The first hit with `0 < t < t_max`, if there is one.
     fn hit(&self, ray: &Ray, t_max: f32) -> Option<Hit>;
     // ANCHOR_END: shape
+
+    /// Whether there is any hit with `0 < t < t_max`. A shape of many parts may stop at the first.
+    fn is_hit(&self, ray: &Ray, t_max: f32) -> bool {
+        self.hit(ray, t_max).is_some()
+    }
 
     /// The same, with its work counted. A shape made of many parts counts each of them.
     fn hit_counted(&self, ray: &Ray, t_max: f32, counts: &mut Counts) -> Option<Hit> {
@@ -42,33 +54,34 @@ pub trait Shape: Sync {
 ///
 /// Each hit found becomes the limit for the shapes after it. Of two hits at the same distance the
 /// earlier shape's stands.
-pub fn nearest<'a, T: Tally>(
-    shapes: &'a [Box<dyn Shape>],
+pub fn nearest<'a, S: Borrow<dyn Shape>, T: Tally>(
+    shapes: &'a [S],
     ray: &Ray,
     tally: &mut T,
-) -> Option<Nearest<'a>> {
-    let mut nearest: Option<Nearest> = None;
-    for (index, shape) in shapes.iter().enumerate() {
+) -> Option<Nearest<'a, S>> {
+    let mut nearest: Option<Nearest<S>> = None;
+    for (index, object) in shapes.iter().enumerate() {
         let limit = nearest.as_ref().map_or(f32::INFINITY, |nearest| nearest.hit.t);
+        let shape = object.borrow();
         let hit = match tally.counts() {
             Some(counts) => shape.hit_counted(ray, limit, counts),
             None => shape.hit(ray, limit),
         };
-        nearest = hit.map(|hit| Nearest { hit, index, shape: shape.as_ref() }).or(nearest);
+        nearest = hit.map(|hit| Nearest { hit, index, object }).or(nearest);
     }
     nearest
 }
 // ANCHOR_END: nearest
 
-/// A hit, and the shape it is on.
-#[derive(Clone, Copy)]
-pub struct Nearest<'a> {
+/// A hit, and what it is on.
+#[derive(Debug)]
+pub struct Nearest<'a, S> {
     /// The hit.
     pub hit: Hit,
-    /// The shape's place in the list.
+    /// The object's place in the list.
     pub index: usize,
-    /// The shape.
-    pub shape: &'a dyn Shape,
+    /// The shape, or what has it.
+    pub object: &'a S,
 }
 
 #[cfg(test)]
@@ -97,7 +110,7 @@ mod tests {
             assert_eq!(found.hit.t, 3.5);
             let counted = nearest(&shapes, &AHEAD, &mut Counts::default()).expect("a hit");
             assert_eq!((counted.index, counted.hit), (found.index, found.hit));
-            assert_eq!(found.shape.hit(&AHEAD, f32::INFINITY), Some(found.hit));
+            assert_eq!(found.object.hit(&AHEAD, f32::INFINITY), Some(found.hit));
             shapes.rotate_left(1);
         }
     }

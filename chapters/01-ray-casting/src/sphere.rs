@@ -5,6 +5,7 @@ use glam::Vec3;
 use crate::crossing::Crossing;
 use crate::longitude::uv;
 use crate::ray::Ray;
+use crate::rounding::{Placed, gamma};
 use crate::shape::{Hit, Shape};
 
 /// A sphere. One whose radius is not above 0 is hit by no ray.
@@ -65,10 +66,17 @@ impl Sphere {
     ///
     /// Along the ray it is wrong by about the rounding of `origin` and `t`, and from the centre by
     /// that of `center` and `radius`. The smaller numbers round less.
-    fn point(&self, ray: &Ray, t: f32, normal: Vec3) -> Vec3 {
+    fn point(&self, ray: &Ray, t: f32, normal: Vec3) -> Placed {
         let along = largest(ray.origin) + t * largest(ray.direction);
         let around = largest(self.center) + self.radius;
-        if along < around { ray.at(t) } else { self.center + self.radius * normal }
+        if along < around {
+            let error = gamma(8) * (ray.origin.abs() + (t * ray.direction).abs());
+            Placed { point: ray.at(t), error }
+        } else {
+            let outward = self.radius * normal;
+            let error = gamma(5) * (self.center.abs() + outward.abs());
+            Placed { point: self.center + outward, error }
+        }
     }
     // ANCHOR_END: point
 }
@@ -84,7 +92,8 @@ impl Shape for Sphere {
         let t = self.crossing(ray)?.first(t_max)?;
         let outward = (ray.origin - self.center) + t * ray.direction;
         let normal = outward / outward.length();
-        Some(Hit { t, point: self.point(ray, t, normal), normal, uv: uv(normal) })
+        let Placed { point, error } = self.point(ray, t, normal);
+        Some(Hit { t, point, error, geometric: normal, normal, uv: uv(normal) })
     }
 }
 // ANCHOR_END: hit

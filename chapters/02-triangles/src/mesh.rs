@@ -3,6 +3,7 @@
 use common::tally::{Counts, Tally};
 use glam::{Vec2, Vec3};
 use ray_casting::ray::Ray;
+use ray_casting::rounding::gamma;
 use ray_casting::shape::{Hit, Shape};
 
 use crate::brute::{Found, TRIANGLE_TESTS, nearest};
@@ -60,11 +61,15 @@ impl Mesh {
     /// The whole answer to a hit: the point and normal are interpolated between the corners.
     pub fn complete(&self, found: Found) -> Hit {
         let Found { hit, index } = found;
+        let (corners, weights) = (self.corners(index), hit.barycentric);
+        let geometric = surface::own_normal(self, index);
         Hit {
             t: hit.t,
-            point: surface::between(self.corners(index), hit.barycentric),
-            normal: surface::normal::<true>(self, index, hit.barycentric),
-            uv: self.uv(index, hit.barycentric),
+            point: surface::between(corners, weights),
+            error: gamma(7) * surface::between(corners.map(Vec3::abs), weights),
+            geometric,
+            normal: surface::shading_normal(self, index, weights, geometric),
+            uv: self.uv(index, weights),
         }
     }
 

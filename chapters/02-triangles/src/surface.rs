@@ -44,14 +44,23 @@ pub fn smooth_normal(normals: [Vec3; 3], barycentric: Vec3, geometric: Vec3) -> 
 /// The normal at a point of triangle `index`. With `SMOOTH` false, or when the mesh has no normals,
 /// it is the triangle's own.
 pub fn normal<const SMOOTH: bool>(mesh: &Mesh, index: usize, barycentric: Vec3) -> Vec3 {
+    let geometric = own_normal(mesh, index);
+    if SMOOTH { shading_normal(mesh, index, barycentric, geometric) } else { geometric }
+}
+
+/// The normal of triangle `index` itself.
+pub fn own_normal(mesh: &Mesh, index: usize) -> Vec3 {
     // A triangle that was hit has an area.
-    let geometric = geometric_normal(&mesh.corners(index)).unwrap_or(Vec3::Z);
-    if SMOOTH && !mesh.normals.is_empty() {
-        let normals = mesh.triangles[index].map(|vertex| mesh.normals[vertex as usize]);
-        smooth_normal(normals, barycentric, geometric)
-    } else {
-        geometric
+    geometric_normal(&mesh.corners(index)).unwrap_or(Vec3::Z)
+}
+
+/// The mean of the corners' normals; the triangle's own, `geometric`, when the mesh has none.
+pub fn shading_normal(mesh: &Mesh, index: usize, barycentric: Vec3, geometric: Vec3) -> Vec3 {
+    if mesh.normals.is_empty() {
+        return geometric;
     }
+    let normals = mesh.triangles[index].map(|vertex| mesh.normals[vertex as usize]);
+    smooth_normal(normals, barycentric, geometric)
 }
 // ANCHOR_END: normal
 
