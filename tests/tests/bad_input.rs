@@ -165,6 +165,12 @@ fn odd_meshes_that_are_right_are_drawn() {
             let message = String::from_utf8_lossy(&output.stderr);
             assert_eq!(output.status.code(), Some(0), "{scene}: {message}");
             assert_eq!(message.contains("gone.mtl"), scene == "no-mtl.obj", "{scene}: {message}");
+            let quiet = run(
+                &program(chapter.package()),
+                folder.path(),
+                &[&line[..], &["--quiet"]].concat(),
+            );
+            assert!(quiet.stdout.is_empty() && quiet.stderr.is_empty(), "{scene}: {quiet:?}");
         }
     }
 }
