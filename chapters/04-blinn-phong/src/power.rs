@@ -62,7 +62,7 @@ const FACTORIALS: [f64; 12] = {
 
 /// The sum of the factors times 1, x, x² and so on.
 #[inline]
-fn polynomial(x: f64, factors: &[f64]) -> f64 {
+fn polynomial<const N: usize>(x: f64, factors: &[f64; N]) -> f64 {
     factors.iter().rev().fold(0.0, |sum, factor| sum * x + factor)
 }
 
