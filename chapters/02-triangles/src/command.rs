@@ -79,7 +79,7 @@ impl Chapter for Triangles {
     type Scene = Stage;
 
     fn build(name: &str, knobs: &Knobs) -> Result<Stage, Failure> {
-        let MeshScene { mesh, mut view, warnings, calls } =
+        let MeshScene { mesh, mut view, warnings, calls, .. } =
             MeshScene::with_normals(name, knobs.normals)?;
         knobs.aim.apply(&mut view);
         let camera = Camera::new(&view, 1, 1);
