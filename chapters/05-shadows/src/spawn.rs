@@ -1,6 +1,7 @@
 //! Where a ray that leaves a surface has to start.
 
 use glam::Vec3;
+use ray_casting::rounding::gamma;
 use ray_casting::shape::Hit;
 
 // ANCHOR: spawn
@@ -24,7 +25,7 @@ fn reach(hit: &Hit) -> f32 {
 /// rounded: at most 32 roundings of the distance, and for a sphere as many of its radius, of which
 /// `hit.error` has seven. A plane needs four and a triangle six.
 pub(crate) fn spawn_far(hit: &Hit, direction: Vec3, distance: f32) -> Vec3 {
-    leave(hit, direction, 5.0 * reach(hit) + ray_casting::rounding::gamma(32) * distance)
+    leave(hit, direction, 5.0 * reach(hit) + gamma(32) * distance)
 }
 
 // ANCHOR: leave
