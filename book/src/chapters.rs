@@ -4,6 +4,7 @@ use blinn_phong::command::LitScenes;
 use common::chapter::Entry;
 use object_order::command::ObjectOrder;
 use ray_casting::command::RayCasting;
+use shadows::command::Shadows;
 use triangles::command::Triangles;
 
 /// Every chapter; a new one is added at the end.
@@ -12,6 +13,7 @@ pub const CHAPTERS: &[Entry] = &[
     Entry::of::<Triangles>(),
     Entry::of::<ObjectOrder>(),
     Entry::of::<LitScenes>(),
+    Entry::of::<Shadows>(),
 ];
 
 /// The chapter that a reader calls `name`: "1", "01", "01-ray-casting" or "ray-casting".

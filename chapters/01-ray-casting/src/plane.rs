@@ -4,7 +4,7 @@ use glam::{Vec2, Vec3};
 
 use crate::direction::unit;
 use crate::ray::Ray;
-use crate::rounding::gamma;
+use crate::rounding::{Placed, gamma};
 use crate::shape::{Hit, Shape};
 
 /// An infinite plane, with a front: the side its normal points to.
@@ -40,30 +40,44 @@ impl Plane {
     }
     // ANCHOR_END: distance
 
+    // ANCHOR: foot
     /// The ray's point at `t`, moved along the normal onto the plane.
-    pub(crate) fn foot(&self, ray: &Ray, t: f32) -> Vec3 {
+    ///
+    /// Of its height before the move, the difference and the dot product leave four roundings of
+    /// `beside`, and the normal's length and the product nine of `height`; the move rounds the
+    /// point once. Asked again, the plane measures a height once more: four of `beside`.
+    fn foot(&self, ray: &Ray, t: f32) -> Placed {
         let point = ray.at(t);
-        point - (point - self.point).dot(self.normal) * self.normal
+        let beside = point - self.point;
+        let down = beside.dot(self.normal) * self.normal;
+        let point = point - down;
+        let error = gamma(9) * beside.abs() + gamma(14) * down.abs() + gamma(2) * point.abs();
+        Placed { point, error }
     }
+    // ANCHOR_END: foot
 }
 
 impl Shape for Plane {
     fn hit(&self, ray: &Ray, t_max: f32) -> Option<Hit> {
         let t = self.distance(ray, t_max)?;
-        let point = self.foot(ray, t);
+        let Placed { point, error } = self.foot(ray, t);
 
         // Squares of side 1, over and over.
         let (right, up) = self.normal.any_orthonormal_pair();
         let from_point = point - self.point;
         let place = Vec2::new(from_point.dot(right), from_point.dot(up));
-        let error = gamma(5) * (point.abs() + self.point.abs());
         let (normal, uv) = (self.normal, place - place.floor());
         Some(Hit { t, point, error, geometric: normal, normal, uv })
+    }
+
+    fn hides_itself(&self, _eye: Vec3) -> bool {
+        false
     }
 }
 
 #[cfg(test)]
 mod tests {
+    use common::sampler::Stream;
     use glam::{Vec2, Vec3};
 
     use super::Plane;
@@ -99,5 +113,25 @@ mod tests {
     fn a_plane_needs_a_normal_and_a_place() {
         assert_eq!(Plane::new(Vec3::ZERO, Vec3::ZERO), None);
         assert_eq!(Plane::new(Vec3::NAN, Vec3::Y), None);
+    }
+
+    #[test]
+    fn the_error_covers_the_point() {
+        for trial in 0..200_000 {
+            let mut stream = Stream::of_trial(27, trial);
+            let mut decade = |low, high| common::math::pow(10.0, stream.between(low, high));
+            let (near, far) = (decade(-4.0, 6.0), decade(-6.0, 8.0));
+            let mut vector = || {
+                let mut component = || stream.between(-1.0, 1.0);
+                Vec3::new(component(), component(), component())
+            };
+            let Some(plane) = Plane::new(near * vector(), vector()) else { continue };
+            let ray = Ray { origin: far * vector(), direction: vector() };
+            let Some(hit) = plane.hit(&ray, f32::INFINITY) else { continue };
+            let normal = plane.normal.as_dvec3();
+            let height = (hit.point.as_dvec3() - plane.point.as_dvec3()).dot(normal).abs();
+            let bound = normal.abs().dot(hit.error.as_dvec3());
+            assert!(height <= bound, "{trial}: {height} {bound}");
+        }
     }
 }

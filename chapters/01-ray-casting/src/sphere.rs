@@ -3,9 +3,10 @@
 use glam::Vec3;
 
 use crate::crossing::Crossing;
+use crate::direction::unit;
 use crate::longitude::uv;
 use crate::ray::Ray;
-use crate::rounding::{Placed, gamma};
+use crate::rounding::gamma;
 use crate::shape::{Hit, Shape};
 
 /// A sphere. One whose radius is not above 0 is hit by no ray.
@@ -33,16 +34,20 @@ impl Sphere {
         // l leads from the centre to the nearest point of the line.
         let l = f + (b / a) * d;
         let distance = l.length();
-        let discriminant = (r - distance) * (r + distance);
+        let k = self.power(f);
+        let square = match k < 0.0 {
+            // From inside every line crosses. Here nothing cancels, and nothing can miss.
+            true => b * b - a * k,
+            false => a * ((r - distance) * (r + distance)),
+        };
 
         // NaN is not above 0 either, so that this turns away all that can't be hit.
-        if !(discriminant >= 0.0 && r > 0.0) {
+        if !(square >= 0.0 && r > 0.0) {
             return None;
         }
 
         // b and the root have one sign, so that nothing cancels in q.
-        let q = b + (a * discriminant).sqrt().copysign(b);
-        let k = self.power(f);
+        let q = b + square.sqrt().copysign(b);
         Crossing::sorted(k / q, q / a)
     }
     // ANCHOR_END: crossing
@@ -66,19 +71,25 @@ impl Sphere {
     ///
     /// Along the ray it is wrong by about the rounding of `origin` and `t`, and from the centre by
     /// that of `center` and `radius`. The smaller numbers round less.
-    fn point(&self, ray: &Ray, t: f32, normal: Vec3) -> Placed {
+    fn point(&self, ray: &Ray, t: f32, normal: Vec3) -> Vec3 {
         let along = largest(ray.origin) + t * largest(ray.direction);
         let around = largest(self.center) + self.radius;
-        if along < around {
-            let error = gamma(8) * (ray.origin.abs() + (t * ray.direction).abs());
-            Placed { point: ray.at(t), error }
-        } else {
-            let outward = self.radius * normal;
-            let error = gamma(5) * (self.center.abs() + outward.abs());
-            Placed { point: self.center + outward, error }
-        }
+        if along < around { ray.at(t) } else { self.center + self.radius * normal }
     }
     // ANCHOR_END: point
+
+    // ANCHOR: error
+    /// How far from the surface `point` may be, where the normal is `normal`.
+    ///
+    /// Its height is measured: (|f| - r)(|f| + r) over a number below the second factor. To measure
+    /// it rounds f once and the squares less than twice as far, three roundings of the radius in
+    /// all, and whoever asks the sphere again from beside `point` rounds as much once more.
+    fn error(&self, point: Vec3, normal: Vec3) -> Vec3 {
+        let f = point - self.center;
+        let height = self.power(f).abs() / (largest(f) + self.radius);
+        (height + gamma(7) * self.radius) * normal.abs()
+    }
+    // ANCHOR_END: error
 }
 
 /// The largest component, whatever its sign.
@@ -91,9 +102,20 @@ impl Shape for Sphere {
     fn hit(&self, ray: &Ray, t_max: f32) -> Option<Hit> {
         let t = self.crossing(ray)?.first(t_max)?;
         let outward = (ray.origin - self.center) + t * ray.direction;
-        let normal = outward / outward.length();
-        let Placed { point, error } = self.point(ray, t, normal);
+        // Of a sphere too small to be seen from so far, rounding may leave nothing.
+        let normal = unit(outward).or_else(|| unit(-ray.direction))?;
+        let point = self.point(ray, t, normal);
+        let error = self.error(point, normal);
         Some(Hit { t, point, error, geometric: normal, normal, uv: uv(normal) })
+    }
+
+    fn is_hit(&self, ray: &Ray, t_max: f32) -> bool {
+        self.crossing(ray).and_then(|crossing| crossing.first(t_max)).is_some()
+    }
+
+    /// Only from inside: from outside, the part that is seen faces away from the rest.
+    fn hides_itself(&self, eye: Vec3) -> bool {
+        !(self.power(eye - self.center) > 0.0)
     }
 }
 // ANCHOR_END: hit
@@ -196,5 +218,56 @@ mod tests {
         assert!((hit.point.as_dvec3() - point).length() < 1e-6);
         let around = sphere.center + sphere.radius * hit.normal;
         assert!((around.as_dvec3() - point).length() > 1e-3, "the other formula");
+    }
+
+    /// The height of a hit's point over the sphere, exact to `f64`, and the bound on it.
+    fn height_and_bound(sphere: &Sphere, ray: &Ray) -> Option<(f64, f64)> {
+        let hit = sphere.hit(ray, f32::INFINITY)?;
+        let from_center = (hit.point.as_dvec3() - sphere.center.as_dvec3()).length();
+        let bound = hit.geometric.abs().as_dvec3().dot(hit.error.as_dvec3());
+        Some(((from_center - f64::from(sphere.radius)).abs(), bound))
+    }
+
+    #[test]
+    fn the_error_covers_the_point_whichever_way_it_was_made() {
+        let mut hits = 0;
+        for trial in 0..200_000 {
+            let mut stream = Stream::of_trial(24, trial);
+            let mut decade = |low, high| common::math::pow(10.0, stream.between(low, high));
+            let (radius, away, from) = (decade(-4.0, 7.0), decade(-4.0, 6.0), decade(-8.0, 8.0));
+            let center = away * in_cube(&mut stream, 1.0);
+            let origin = from * in_cube(&mut stream, 1.0);
+            let direction = center + radius * in_cube(&mut stream, 0.6) - origin;
+            let found = height_and_bound(&Sphere { center, radius }, &Ray { origin, direction });
+            let Some((height, bound)) = found else { continue };
+            assert!(height <= bound, "{trial}: {height} {bound}");
+            hits += 1;
+        }
+        assert!(hits > 100_000);
+    }
+
+    #[test]
+    fn the_error_is_a_few_roundings_of_what_goes_in() {
+        for trial in 0..100_000 {
+            let mut stream = Stream::of_trial(25, trial);
+            let ray =
+                Ray { origin: in_cube(&mut stream, 9.0), direction: in_cube(&mut stream, 2.0) };
+            let Some((_, bound)) = height_and_bound(&SPHERE, &ray) else { continue };
+            let size = f64::from(SPHERE.center.length() + SPHERE.radius);
+            assert!(bound <= 10.0 * f64::from(f32::EPSILON) * size, "{trial}: {bound}");
+        }
+    }
+
+    /// Hard case SH-03: what starts inside can't miss, however flat it runs along the surface.
+    #[test]
+    fn from_inside_nothing_is_missed() {
+        for trial in 0..100_000 {
+            let mut stream = Stream::of_trial(26, trial);
+            let normal = in_cube(&mut stream, 1.0).normalize_or(Vec3::X);
+            let flat = normal.any_orthonormal_vector() - stream.between(0.0, 1e-3) * normal;
+            let origin = SPHERE.center + 0.999_999 * SPHERE.radius * normal;
+            let crossing = SPHERE.crossing(&Ray { origin, direction: flat });
+            assert!(crossing.is_some_and(|it| it.enter <= 0.0 && 0.0 < it.leave), "{trial}");
+        }
     }
 }

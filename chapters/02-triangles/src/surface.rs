@@ -1,6 +1,7 @@
 //! The surface at a hit: its point, the triangle's own normal and the smooth one.
 
 use glam::{DVec3, Vec3};
+use ray_casting::rounding::{Placed, gamma};
 
 use crate::mesh::Mesh;
 
@@ -13,6 +14,24 @@ pub fn between([a, b, c]: [Vec3; 3], barycentric: Vec3) -> Vec3 {
     barycentric.x * a + barycentric.y * b + barycentric.z * c
 }
 // ANCHOR_END: between
+
+// ANCHOR: place
+/// The point of a hit, and how far from the triangle it may be.
+///
+/// A weight is rounded once, its product once, and their sum twice: four roundings of each corner's
+/// part. Whoever asks the triangle again from beside the point rounds each corner's distance, the
+/// shear and their difference, which moves a corner along an axis by two roundings of its distance
+/// along that axis and along the ray's longest; between moved corners the triangle moves no
+/// farther than they.
+pub fn place(corners: [Vec3; 3], barycentric: Vec3) -> Placed {
+    let point = between(corners, barycentric);
+    let [a, b, c] = corners.map(|corner| (corner - point).abs());
+    let distance = a.max(b).max(c);
+    let sheared = distance + Vec3::splat(distance.max_element());
+    let error = gamma(5) * between(corners.map(Vec3::abs), barycentric) + gamma(3) * sheared;
+    Placed { point, error }
+}
+// ANCHOR_END: place
 
 // ANCHOR: geometric
 /// The triangle's own normal, of length 1, on the side from which its corners run
@@ -66,9 +85,11 @@ pub fn shading_normal(mesh: &Mesh, index: usize, barycentric: Vec3, geometric: V
 
 #[cfg(test)]
 mod tests {
+    use common::sampler::Stream;
     use glam::Vec3;
+    use ray_casting::rounding::Placed;
 
-    use super::{between, geometric_normal, smooth_normal};
+    use super::{area_vector, between, geometric_normal, place, smooth_normal};
 
     #[test]
     fn the_normal_of_a_lopsided_triangle() {
@@ -93,5 +114,28 @@ mod tests {
     fn weights_belong_to_their_corners() {
         let corners = [Vec3::X, 10.0 * Vec3::Y, 100.0 * Vec3::Z];
         assert_eq!(between(corners, Vec3::new(0.5, 0.25, 0.25)), Vec3::new(0.5, 2.5, 25.0));
+    }
+
+    /// The distance of the point from the triangle's plane, to `f64`, and from where it is asked
+    /// again: hard cases SH-01 and SH-06 of chapter 5 ask.
+    #[test]
+    fn the_error_covers_the_point() {
+        for trial in 0..200_000 {
+            let mut stream = Stream::of_trial(32, trial);
+            let mut decade = |low, high| common::math::pow(10.0, stream.between(low, high));
+            let (away, size) = (decade(-4.0, 6.0), decade(-4.0, 4.0));
+            let mut vector = || {
+                let mut component = || stream.between(-1.0, 1.0);
+                Vec3::new(component(), component(), component())
+            };
+            let center = away * vector();
+            let corners = [(); 3].map(|()| center + size * vector());
+            let weights = vector().abs();
+            let weights = weights / weights.element_sum();
+            let Some(normal) = area_vector(&corners).try_normalize() else { continue };
+            let Placed { point, error } = place(corners, weights);
+            let height = (point.as_dvec3() - corners[0].as_dvec3()).dot(normal).abs();
+            assert!(height <= normal.abs().dot(error.as_dvec3()), "{trial}: {height} {error}");
+        }
     }
 }
