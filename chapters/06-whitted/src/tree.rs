@@ -46,7 +46,7 @@ impl Tree {
         };
         let light = color(0.1, 3.0);
         let share = color(0.1, 0.9);
-        let mut branch = |child: u64| {
+        let branch = |child: u64| {
             let weight = if child == 0 { share } else { Color::ONE - share };
             let ray = node.wrapping_mul(2).wrapping_add(child);
             (child < self.branches).then_some(Branch { ray, weight, event: FOLLOWED })
