@@ -4,8 +4,10 @@ mod angles;
 mod critical;
 mod energy;
 mod matched;
+mod picture;
 mod slabs;
 
+use common::film::Film;
 use common::hard::Case;
 use common::sampler::Stream;
 use glam::{DVec3, Vec3};
@@ -22,6 +24,11 @@ pub const CASES: &[Case] = &[
     angles::SCHLICK,
     energy::BALANCE,
 ];
+
+/// What becomes of rays in a slab: by the textbook's formula, and by ours.
+pub fn picture() -> Film {
+    picture::picture()
+}
 
 /// This chapter, as the ledger names it.
 const CHAPTER: &str = "07-fresnel";

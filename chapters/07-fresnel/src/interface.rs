@@ -129,10 +129,10 @@ mod tests {
     }
 
     #[test]
-    fn the_largest_and_smallest_indices_overflow_nothing() {
-        let (least, most) = (index(Index::LEAST), index(f32::MAX));
-        let into = Interface::new(least, most);
-        assert_eq!(into.far_cosine(0.5), Some(1.0));
+    fn from_the_smallest_index_to_the_largest_and_back() {
+        let into = Interface::new(index(Index::LEAST), index(Index::MOST));
+        assert!(into.far_cosine(0.5).is_some_and(|cosine| cosine > 1.0 - 1e-12));
         assert_eq!(into.reversed().far_cosine(0.5), None);
+        assert_eq!(into.reversed().far_cosine(1.0), Some(1.0));
     }
 }

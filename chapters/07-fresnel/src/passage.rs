@@ -8,7 +8,7 @@ use blinn_phong::object::Object;
 use blinn_phong::scene::Scene;
 use common::tally::Tally;
 use ray_casting::ray::Ray;
-use ray_casting::shape::{Hit, Nearest, Shape};
+use ray_casting::shape::{Hit, Nearest};
 use shadows::spawn::spawn;
 
 use crate::glass::{Glass, Surface};
@@ -62,7 +62,7 @@ pub fn next<'a, T: Tally>(
         if let Some(surface) = event.opaque {
             return Some(Met::Surface { hit: event.hit, surface, inside });
         }
-        let sides = event.sides(ray, inside);
+        let sides = event.sides(inside);
         let [near, far] = sides.map(|inside| index(scene, inside));
         let interface = Interface::new(near, far);
         if !interface.is_none() {
@@ -91,8 +91,9 @@ struct Event<'a> {
     hit: Hit,
     /// Where along the ray the last of them is.
     last: f32,
-    /// The bodies whose surfaces they are, and whether the ray goes in.
+    /// The bodies whose surfaces they are.
     crossed: Inside,
+    /// Those of them that the ray goes into.
     entered: Inside,
     /// A surface among them that ends the ray.
     opaque: Option<&'a Surface>,
@@ -116,15 +117,20 @@ impl<'a> Event<'a> {
         let mut event =
             Self { hit, last: hit.t, crossed: nothing, entered: nothing, opaque: None };
         event.add(ray, index, object, &hit);
-        if event.opaque.is_some() {
-            return event;
-        }
-        let cosine = ray.direction.dot(hit.geometric).abs().max(GRAZING);
-        for (other, object) in scene.objects.iter().enumerate().filter(|it| it.0 != index) {
-            // Twice the error of the first: that of the second is not known yet.
-            let width = 4.0 * hit.geometric.abs().dot(hit.error) / cosine;
-            let Some(second) = after_of(object, ray, after, hit.t + width, tally) else { continue };
-            event.add(ray, other, object, &second);
+
+        // Twice the error of the first surface, and as much again for the second, of which it is
+        // not known yet: from a distance to the plane to one along the ray.
+        let least = GRAZING * ray.direction.length();
+        let slope = ray.direction.dot(hit.geometric).abs().max(least);
+        let limit = hit.t + 4.0 * hit.geometric.abs().dot(hit.error) / slope;
+        let mut others = scene.objects.iter().enumerate().filter(|other| other.0 != index);
+        while event.opaque.is_none()
+            && let Some((other, object)) = others.next()
+        {
+            if let Some(second) = after_of(object, ray, after, limit, tally) {
+                event.hit.error += second.error;
+                event.add(ray, other, object, &second);
+            }
         }
         event
     }
@@ -137,9 +143,6 @@ impl<'a> Event<'a> {
             self.opaque = Some(&object.material);
             return;
         }
-        if hit.t != self.hit.t || self.crossed != Inside::default() {
-            self.hit.error += hit.error;
-        }
         let body = index as u32;
         self.crossed = self.crossed.with(body);
         if ray.direction.dot(hit.geometric) < 0.0 {
@@ -151,7 +154,7 @@ impl<'a> Event<'a> {
     ///
     /// A body that is left was there before, whether the ray had noticed entering it or not: it may
     /// have begun inside.
-    fn sides(&self, _ray: &Ray, inside: Inside) -> [Inside; 2] {
+    fn sides(&self, inside: Inside) -> [Inside; 2] {
         let mut sides = [inside; 2];
         for &body in self.crossed.bodies() {
             let entered = self.entered.bodies().contains(&body);
@@ -201,7 +204,7 @@ fn after_of<T: Tally>(
         if passed == MOST_PASSED {
             return None;
         }
-        let start = spawn(&hit, ray.direction);
+        let start = Ray { origin: spawn(&hit, ray.direction), ..*ray };
         let found = ask(object, &start, limit - hit.t, tally)?;
         hit = Hit { t: hit.t + found.t, ..found };
     }

@@ -10,13 +10,17 @@ use crate::interface::Interface;
 /// reflected as much as light that enters along the same path, so the larger angle counts: the one
 /// in the thinner medium.
 pub fn reflectance(interface: &Interface, cosine: f64) -> f64 {
+    let far_cosine = interface.far_cosine(cosine);
+    far_cosine.map_or(1.0, |far_cosine| between(interface, cosine, far_cosine))
+}
+
+/// The same where both cosines are known.
+pub fn between(interface: &Interface, cosine: f64, far_cosine: f64) -> f64 {
     if interface.is_none() {
         return 0.0;
     }
-    if interface.rest() > 0.0 {
-        return polynomial(straight(interface), cosine);
-    }
-    interface.far_cosine(cosine).map_or(1.0, |cosine| polynomial(straight(interface), cosine))
+    let thinner = if interface.rest() > 0.0 { cosine } else { far_cosine };
+    polynomial(straight(interface), thinner)
 }
 
 /// What an interface reflects of light that comes straight upon it.

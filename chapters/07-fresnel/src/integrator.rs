@@ -1,0 +1,264 @@
+//! Following light through a scene of mirrors, metal and glass.
+
+use blinn_phong::scene::Scene;
+use common::film::Color;
+use common::sampler::{Purpose, Sampler};
+use common::tally::{Event, Tally};
+use glam::DVec3;
+use ray_casting::ray::Ray;
+use ray_casting::shape::Hit;
+use shadows::spawn::spawn;
+use whitted::material::Mirrored;
+use whitted::mirror;
+use whitted::scatter::{Branch, Scatter, Scattered};
+
+use crate::bend::{Incidence, precise};
+use crate::conductor::Metal;
+use crate::dielectric;
+use crate::glass::Surface;
+use crate::index::Index;
+use crate::inside::Inside;
+use crate::interface::Interface;
+use crate::passage::{Met, index, next};
+use crate::schlick;
+use crate::shade::{Lit, Seen, Sent};
+
+/// Rays followed from glass and metal by reflection.
+pub const REFLECTED: Event = Event::new(7, 0, "reflected_rays");
+/// Rays followed through an interface.
+pub const REFRACTED: Event = Event::new(7, 1, "refracted_rays");
+/// Rays that met an interface and could not pass.
+pub const TOTAL_REFLECTIONS: Event = Event::new(7, 2, "total_reflections");
+
+/// Which formula says how much is reflected.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "native", derive(clap::ValueEnum))]
+pub enum Formula {
+    /// Fresnel's equations
+    #[default]
+    Exact,
+    /// Schlick's approximation
+    Schlick,
+}
+
+/// What becomes of light that is both reflected and refracted.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "native", derive(clap::ValueEnum))]
+pub enum Branching {
+    /// Both rays are followed
+    #[default]
+    Both,
+    /// One is, by chance: the more light it brings, the more often
+    One,
+}
+
+// ANCHOR: path
+/// A ray, and what its path has to remember.
+#[derive(Clone, Copy, Debug)]
+pub struct Path {
+    /// The ray that is asked of shapes.
+    pub ray: Ray,
+    /// Its direction with twice the digits.
+    direction: DVec3,
+    /// The bodies it is in.
+    inside: Inside,
+    /// How many surfaces it has left, and its random numbers.
+    bounce: u32,
+    sampler: Sampler,
+}
+// ANCHOR_END: path
+
+impl Path {
+    fn at(&self, hit: &Hit, direction: DVec3, side: DVec3, inside: Inside) -> Self {
+        let ray = Ray { origin: spawn(hit, side.as_vec3()), direction: direction.as_vec3() };
+        Self { ray, direction, inside, bounce: self.bounce + 1, ..*self }
+    }
+}
+
+/// Where the random number comes from that chooses one of two rays.
+const WHICH_WAY: Purpose = Purpose::named("reflect or refract");
+
+/// A scene, and how light is followed through it.
+pub struct Integrator<'a, L, const MIRRORS: bool, const GLASS: bool> {
+    /// The scene.
+    pub scene: &'a Scene<Surface>,
+    /// How much is reflected.
+    pub formula: Formula,
+    /// What becomes of two rays.
+    pub branching: Branching,
+    /// The bodies around the eye.
+    pub around_eye: Inside,
+    /// Whether the scene has glass that may be no interface.
+    pub unseen: bool,
+    /// What light of lamps is simulated.
+    pub lit: L,
+}
+
+impl<L, const MIRRORS: bool, const GLASS: bool> Integrator<'_, L, MIRRORS, GLASS> {
+    /// The path of a camera ray.
+    pub fn first(&self, ray: Ray, sampler: &Sampler) -> Path {
+        let direction = if GLASS { precise(ray.direction) } else { DVec3::ZERO };
+        Path { ray, direction, inside: self.around_eye, bounce: 0, sampler: *sampler }
+    }
+
+    // ANCHOR: split
+    /// The two rays that leave an interface: what it reflects, and what it lets through.
+    ///
+    /// What is followed is radiance divided by n². Refraction changes radiance by just that
+    /// square, so nothing has to be scaled here: the parts add up to 1.
+    fn split<T: Tally>(
+        &self,
+        path: &Path,
+        hit: &Hit,
+        interface: &Interface,
+        sides: [Inside; 2],
+        tally: &mut T,
+    ) -> [Option<Branch<Path>>; 2] {
+        let incidence = incidence(path.direction, hit);
+        let [near, far] = sides;
+        let reflected = path.at(hit, incidence.reflected(), incidence.normal, near);
+        let Some(cosine) = interface.far_cosine(incidence.cosine) else {
+            tally.count(TOTAL_REFLECTIONS, 1);
+            return [branch(reflected, 1.0, REFLECTED), None];
+        };
+        let part = match self.formula {
+            Formula::Exact => dielectric::between(interface, incidence.cosine, cosine),
+            Formula::Schlick => schlick::between(interface, incidence.cosine, cosine),
+        } as f32;
+        let direction = incidence.refracted(interface, cosine);
+        let refracted = path.at(hit, direction, -incidence.normal, far);
+        match self.branching {
+            Branching::Both => {
+                [branch(reflected, part, REFLECTED), branch(refracted, 1.0 - part, REFRACTED)]
+            }
+            // Chosen as often as it counts, it counts in full.
+            Branching::One if chance(path) < part => [branch(reflected, 1.0, REFLECTED), None],
+            Branching::One => [branch(refracted, 1.0, REFRACTED), None],
+        }
+    }
+    // ANCHOR_END: split
+
+    /// What metal reflects.
+    fn from_metal(&self, path: &Path, hit: &Hit, metal: &Metal, inside: Inside) -> Scattered<Path> {
+        let near = self.index(inside);
+        let incidence = Incidence::new(precise(path.ray.direction), hit.normal);
+        let color = match self.formula {
+            Formula::Exact => metal.reflectance(near, incidence.cosine),
+            Formula::Schlick => metal.schlick(near, incidence.cosine),
+        };
+        Scattered::with(Color::ZERO, self.mirrored(path, hit, color, inside))
+    }
+
+    /// The mirror's ray of a surface that returns `color`.
+    fn mirrored(
+        &self,
+        path: &Path,
+        hit: &Hit,
+        color: Color,
+        inside: Inside,
+    ) -> Option<Branch<Path>> {
+        if !MIRRORS || color == Color::ZERO {
+            return None;
+        }
+        let direction = mirror::leaving(path.ray.direction, hit)?;
+        let ray = Ray { origin: spawn(hit, direction), direction };
+        let precise = if GLASS { precise(direction) } else { DVec3::ZERO };
+        let path = Path { ray, direction: precise, inside, bounce: path.bounce + 1, ..*path };
+        Some(Branch { ray: path, weight: color, event: REFLECTED })
+    }
+
+    fn index(&self, inside: Inside) -> Index {
+        if GLASS { index(self.scene, inside) } else { Index::AIR }
+    }
+
+    // ANCHOR: seen
+    /// What is seen from the eye of light that a surface sends into the medium around it.
+    ///
+    /// Radiance / n² is what stays on the way, so lamps' light counts (n_eye / n)² times. Light
+    /// from everywhere is n² times as strong in the medium as in air, and that cancels.
+    fn seen_from_eye(&self, sent: Sent, inside: Inside) -> Color {
+        if !GLASS {
+            return sent.ambient + sent.lamps;
+        }
+        let [eye, here] = [self.around_eye, inside].map(|inside| self.index(inside).number());
+        let (ambient, lamps) = (eye * eye, (eye / here) * (eye / here));
+        ambient as f32 * sent.ambient + lamps as f32 * sent.lamps
+    }
+    // ANCHOR_END: seen
+}
+
+fn chance(path: &Path) -> f32 {
+    path.sampler.stream(path.bounce, WHICH_WAY).uniform()
+}
+
+fn branch(ray: Path, part: f32, event: Event) -> Option<Branch<Path>> {
+    Some(Branch { ray, weight: Color::splat(part), event })
+}
+
+/// How the ray comes upon the surface: by the normal it is to be shaded with, or by its own where
+/// that one lies on the other side.
+fn incidence(direction: DVec3, hit: &Hit) -> Incidence {
+    let shaded = Incidence::new(direction, hit.normal);
+    if hit.normal == hit.geometric {
+        return shaded;
+    }
+    let flat = Incidence::new(direction, hit.geometric);
+    if shaded.normal.dot(flat.normal) > 0.0 { shaded } else { flat }
+}
+
+impl<const LAMPS: bool, const TEXTURES: bool, const SHADOWS: bool, const MIRRORS: bool, const GLASS: bool>
+    Scatter for Integrator<'_, Lit<LAMPS, TEXTURES, SHADOWS>, MIRRORS, GLASS>
+{
+    type Ray = Path;
+
+    fn scatter<T: Tally>(&self, path: &Path, tally: &mut T) -> Scattered<Path> {
+        let met = if GLASS {
+            next(self.scene, &path.ray, path.inside, tally)
+        } else {
+            self.scene.nearest(&path.ray, tally).map(|found| Met::Surface {
+                hit: found.hit,
+                surface: &found.object.material,
+                inside: path.inside,
+            })
+        };
+        match met {
+            None => Scattered::only(self.background()),
+            Some(Met::Interface { hit, interface, sides }) => Scattered {
+                light: Color::ZERO,
+                branches: self.split(path, &hit, &interface, sides, tally),
+            },
+            Some(Met::Surface { hit, surface, inside }) => match surface {
+                Surface::Opaque(material) => self.from_opaque(path, &hit, material, inside, tally),
+                Surface::Metal(metal) => self.from_metal(path, &hit, metal, inside),
+                // Only an interface is met of it, and only where glass is simulated.
+                Surface::Glass(_) => Scattered::only(Color::ZERO),
+            },
+        }
+    }
+}
+
+impl<const LAMPS: bool, const TEXTURES: bool, const SHADOWS: bool, const MIRRORS: bool, const GLASS: bool>
+    Integrator<'_, Lit<LAMPS, TEXTURES, SHADOWS>, MIRRORS, GLASS>
+{
+    /// What an opaque surface sends of lamps, and its mirror's ray.
+    fn from_opaque<T: Tally>(
+        &self,
+        path: &Path,
+        hit: &Hit,
+        material: &Mirrored,
+        inside: Inside,
+        tally: &mut T,
+    ) -> Scattered<Path> {
+        let Self { scene, unseen, .. } = *self;
+        let seen = Seen { scene, hit, toward_eye: -path.ray.direction, inside, unseen };
+        let sent = Lit::<LAMPS, TEXTURES, SHADOWS>::sent(&seen, material, tally);
+        let light = self.seen_from_eye(sent, inside);
+        Scattered::with(light, self.mirrored(path, hit, material.mirror, inside))
+    }
+
+    /// The radiance behind everything, which is in air.
+    fn background(&self) -> Color {
+        let eye = self.index(self.around_eye).number();
+        (eye * eye) as f32 * self.scene.background
+    }
+}

@@ -1,0 +1,100 @@
+//! From a plan to a picture: the integrator with the effects that are simulated, and no others.
+
+use common::plan::{Effect, Plan};
+use common::render::{Rendering, Settings, render_counted};
+use common::tally::Tally;
+use ray_casting::camera::CAMERA_RAYS;
+use whitted::limits::Limits;
+use whitted::scatter::Scatter;
+
+use crate::integrator::{Branching, Formula, Integrator, Path};
+use crate::scenes::GlassStage;
+use crate::shade::Lit;
+
+/// A scene, and how it is to be drawn.
+#[derive(Clone, Copy)]
+pub struct Picture<'a> {
+    /// What.
+    pub stage: &'a GlassStage,
+    /// How much is reflected.
+    pub formula: Formula,
+    /// What becomes of two rays.
+    pub branching: Branching,
+    /// Where following rays ends.
+    pub limits: Limits,
+}
+
+impl Picture<'_> {
+    // ANCHOR: specialise
+    /// The picture with what `plan` simulates. Each effect that is left out is left out of the
+    /// code: every combination is a function of its own.
+    pub fn draw<T: Tally>(&self, plan: &Plan, settings: &Settings) -> Rendering<T> {
+        if !plan.simulates(Effect::PrimaryVisibility) {
+            return self.draw_nothing(settings);
+        }
+        let lamps = plan.simulates(Effect::LocalShading);
+        let textures = plan.simulates(Effect::Textures);
+        let shadows = plan.simulates(Effect::HardShadows);
+        match (lamps, textures, shadows) {
+            (false, _, _) => self.lit::<false, false, false, T>(plan, settings),
+            (true, false, false) => self.lit::<true, false, false, T>(plan, settings),
+            (true, false, true) => self.lit::<true, false, true, T>(plan, settings),
+            (true, true, false) => self.lit::<true, true, false, T>(plan, settings),
+            (true, true, true) => self.lit::<true, true, true, T>(plan, settings),
+        }
+    }
+
+    fn lit<const LAMPS: bool, const TEXTURES: bool, const SHADOWS: bool, T: Tally>(
+        &self,
+        plan: &Plan,
+        settings: &Settings,
+    ) -> Rendering<T> {
+        let lit = Lit::<LAMPS, TEXTURES, SHADOWS>;
+        if plan.simulates(Effect::Refraction) {
+            // Glass reflects, too.
+            self.follow(&self.integrator::<_, true, true>(lit), settings)
+        } else if plan.simulates(Effect::MirrorReflection) {
+            self.follow(&self.integrator::<_, true, false>(lit), settings)
+        } else {
+            self.follow(&self.integrator::<_, false, false>(lit), settings)
+        }
+    }
+    // ANCHOR_END: specialise
+
+    fn integrator<L, const MIRRORS: bool, const GLASS: bool>(
+        &self,
+        lit: L,
+    ) -> Integrator<'_, L, MIRRORS, GLASS> {
+        let Self { stage, formula, branching, .. } = *self;
+        let GlassStage { scene, around_eye, unseen, .. } = stage;
+        Integrator {
+            scene,
+            formula,
+            branching,
+            around_eye: *around_eye,
+            unseen: *unseen,
+            lit,
+        }
+    }
+
+    fn follow<L, const MIRRORS: bool, const GLASS: bool, T: Tally>(
+        &self,
+        integrator: &Integrator<'_, L, MIRRORS, GLASS>,
+        settings: &Settings,
+    ) -> Rendering<T>
+    where
+        for<'a> Integrator<'a, L, MIRRORS, GLASS>: Scatter<Ray = Path>,
+    {
+        let camera = self.stage.camera.with_film(settings.width, settings.height);
+        render_counted(settings, |pixel, sampler, tally: &mut T| {
+            let ray = camera.ray(pixel.position(sampler));
+            tally.count(CAMERA_RAYS, 1);
+            self.limits.trace(integrator, integrator.first(ray, sampler), tally)
+        })
+    }
+
+    /// The picture of nothing, for which no ray is needed.
+    fn draw_nothing<T: Tally>(&self, settings: &Settings) -> Rendering<T> {
+        render_counted(settings, |_pixel, _sampler, _tally| self.stage.scene.background)
+    }
+}
