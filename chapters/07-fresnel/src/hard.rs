@@ -6,6 +6,7 @@ mod energy;
 mod matched;
 mod picture;
 mod slabs;
+mod touching;
 
 use common::film::Film;
 use common::hard::Case;
@@ -22,6 +23,7 @@ pub const CASES: &[Case] = &[
     angles::GRAZING,
     slabs::TRAPPED,
     angles::SCHLICK,
+    touching::TOUCHING,
     energy::BALANCE,
 ];
 

@@ -262,3 +262,6 @@ impl<const LAMPS: bool, const TEXTURES: bool, const SHADOWS: bool, const MIRRORS
         (eye * eye) as f32 * self.scene.background
     }
 }
+
+#[cfg(test)]
+mod tests;

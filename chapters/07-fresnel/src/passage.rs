@@ -150,20 +150,20 @@ impl<'a> Event<'a> {
         }
     }
 
-    /// The bodies on this side and beyond, for a ray that was inside of `inside`.
+    // ANCHOR: sides
+    /// The bodies on this side and beyond, for a ray that is inside of `inside`.
     ///
-    /// A body that is left was there before, whether the ray had noticed entering it or not: it may
-    /// have begun inside.
+    /// What the ray remembers counts for more than what it meets. Entering a body that it is in, or
+    /// leaving one that it is not in, is meeting once more a surface that it has left by less than
+    /// a rounding error; both sides are the same then, and it goes on.
     fn sides(&self, inside: Inside) -> [Inside; 2] {
-        let mut sides = [inside; 2];
-        for &body in self.crossed.bodies() {
+        let beyond = self.crossed.bodies().iter().fold(inside, |beyond, &body| {
             let entered = self.entered.bodies().contains(&body);
-            let [near, far] = &mut sides;
-            *near = if entered { near.without(body) } else { near.with(body) };
-            *far = if entered { far.with(body) } else { far.without(body) };
-        }
-        sides
+            if entered { beyond.with(body) } else { beyond.without(body) }
+        });
+        [inside, beyond]
     }
+    // ANCHOR_END: sides
 }
 
 // ANCHOR: beyond

@@ -38,23 +38,23 @@ pub(super) fn pool() -> Result<Show, Failure> {
     let water = Surface::Glass(Glass::new(Index::WATER));
     let things = vec![
         (plane(Vec3::Y)?, black(), Some(water)),
-        (floor(Vec3::new(-8.0, -3.0, 8.0), 16.0)?, tiles(16.0), None),
-        (sphere(Vec3::new(1.6, 1.1, -1.2), 1.0), red, None),
-        (sphere(Vec3::new(-1.2, 0.6, 1.2), 0.5), yellow, None),
-        (sphere(Vec3::new(-2.6, -2.2, -1.6), 0.8), white, None),
+        (floor(Vec3::new(-40.0, -3.0, 40.0), 80.0)?, tiles(80.0), None),
+        (sphere(Vec3::new(1.5, 1.1, -1.0), 1.0), red, None),
+        (sphere(Vec3::new(-1.2, 0.6, 0.6), 0.5), yellow, None),
+        (sphere(Vec3::new(-2.4, -1.9, -2.6), 0.7), white, None),
     ];
     let lights = vec![
         Light::steady(Vec3::new(-4.0, 7.0, 6.0), Color::splat(0.9)),
         // A lamp in the water: the one above can't be found through the surface.
-        Light::steady(Vec3::new(3.0, -0.4, 3.0), Color::splat(0.7)),
+        Light::steady(Vec3::new(3.0, -0.4, 3.0), Color::splat(1.2)),
     ];
     let view = View {
         eye: Vec3::new(0.3, -2.4, 0.6),
-        target: Vec3::new(0.0, 0.0, -0.2),
+        target: Vec3::new(0.0, 0.0, -0.6),
         up: Vec3::NEG_Z,
-        vertical_fov: 110.0,
+        vertical_fov: 115.0,
     };
-    show(things, lights, Color::splat(0.15), view)
+    show(things, lights, Lit { ambient: 0.15, background: EVENING }, view)
 }
 
 /// Media in media: water in a ball of glass, a bubble in another, and glass half under water.
@@ -82,7 +82,7 @@ pub(super) fn nested(index: Index) -> Result<Show, Failure> {
         up: Vec3::Y,
         vertical_fov: 50.0,
     };
-    show(things, lights, Color::splat(0.2), view)
+    show(things, lights, Lit { ambient: 0.2, background: BACKGROUND }, view)
 }
 
 /// Gold, silver and copper under a sky, over a checkerboard.
@@ -103,15 +103,26 @@ pub(super) fn metals() -> Result<Show, Failure> {
         up: Vec3::Y,
         vertical_fov: 40.0,
     };
-    show(things, lights, Color::splat(0.2), view)
+    show(things, lights, Lit { ambient: 0.2, background: HAZE }, view)
 }
 
 type Thing = (Box<dyn Shape>, BlinnPhong, Option<Surface>);
 
+/// A sky that water makes 1.77 times as bright.
+const EVENING: Color = Color::new(0.12, 0.34, 0.5);
+/// A sky with hardly any colour of its own.
+const HAZE: Color = Color::new(0.7, 0.76, 0.8);
+
+/// The light from all around.
+struct Lit {
+    ambient: f32,
+    background: Color,
+}
+
 fn show(
     things: Vec<Thing>,
     lights: Vec<Light>,
-    ambient: Color,
+    Lit { ambient, background }: Lit,
     view: View,
 ) -> Result<Show, Failure> {
     let mut objects = Vec::new();
@@ -120,7 +131,7 @@ fn show(
         objects.push(Object { shape, material });
         surfaces.push(surface);
     }
-    let scene = Scene { objects, lights, ambient, background: BACKGROUND, view };
+    let scene = Scene { objects, lights, ambient: Color::splat(ambient), background, view };
     Ok((Stage::new(scene, Vec::new())?, surfaces))
 }
 
