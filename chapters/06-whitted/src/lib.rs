@@ -9,11 +9,13 @@
 //! | [`mirror`] | the ray that leaves a mirror |
 //! | [`material`] | a surface that also reflects |
 
+pub mod facing;
+pub mod hard;
 pub mod iteration;
 pub mod limits;
 pub mod material;
 pub mod mirror;
+pub mod naive;
 pub mod recursion;
 pub mod scatter;
-#[cfg(test)]
-mod tree;
+pub mod tree;

@@ -1,8 +1,12 @@
 //! Which way a mirror sends a ray on.
 
+use common::tally::Event;
 use glam::Vec3;
 use ray_casting::direction::unit;
 use ray_casting::shape::Hit;
+
+/// Rays that leave a mirror.
+pub const MIRROR_RAYS: Event = Event::new(6, 0, "mirror_rays");
 
 // ANCHOR: reflect
 /// The direction that a mirror turns `incoming` into: what runs along the normal is turned round,
@@ -22,7 +26,9 @@ const LEAST_RISE: f32 = 16.0 * f32::EPSILON / 2.0;
 ///
 /// None where numbers end: a direction that isn't finite.
 pub fn leaving(incoming: Vec3, hit: &Hit) -> Option<Vec3> {
-    let outward = if incoming.dot(hit.geometric) > 0.0 { -hit.geometric } else { hit.geometric };
+    // The side it came from. In f64, or rounding decides for rays that all but run along the surface.
+    let against = incoming.as_dvec3().dot(hit.geometric.as_dvec3()) < 0.0;
+    let outward = if against { hit.geometric } else { -hit.geometric };
     let direction = unit(reflect(incoming, hit.normal))?;
 
     // A normal that isn't the surface's own can send the ray below the horizon, and so can rounding.
