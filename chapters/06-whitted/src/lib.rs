@@ -15,7 +15,19 @@ pub mod iteration;
 pub mod limits;
 pub mod material;
 pub mod mirror;
+pub mod mtl;
 pub mod naive;
+pub mod picture;
 pub mod recursion;
 pub mod scatter;
 pub mod tree;
+pub mod world;
+
+#[cfg(feature = "native")]
+pub mod command;
+#[cfg(feature = "native")]
+pub mod cost;
+#[cfg(feature = "native")]
+pub mod knobs;
+#[cfg(feature = "native")]
+pub mod scenes;

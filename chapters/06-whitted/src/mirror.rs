@@ -3,7 +3,9 @@
 use common::tally::Event;
 use glam::Vec3;
 use ray_casting::direction::unit;
+use ray_casting::ray::Ray;
 use ray_casting::shape::Hit;
+use shadows::spawn::spawn;
 
 /// Rays that leave a mirror.
 pub const MIRROR_RAYS: Event = Event::new(6, 0, "mirror_rays");
@@ -40,6 +42,14 @@ pub fn leaving(incoming: Vec3, hit: &Hit) -> Option<Vec3> {
     unit(direction + (LEAST_RISE - rise) * outward)
 }
 // ANCHOR_END: leaving
+
+// ANCHOR: mirrored
+/// The ray that leaves a mirror which `ray` met at `hit`.
+pub fn mirrored(ray: &Ray, hit: &Hit) -> Option<Ray> {
+    let direction = leaving(ray.direction, hit)?;
+    Some(Ray { origin: spawn(hit, direction), direction })
+}
+// ANCHOR_END: mirrored
 
 #[cfg(test)]
 mod tests {
