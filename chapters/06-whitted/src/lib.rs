@@ -9,11 +9,25 @@
 //! | [`mirror`] | the ray that leaves a mirror |
 //! | [`material`] | a surface that also reflects |
 
+pub mod facing;
+pub mod hard;
 pub mod iteration;
 pub mod limits;
 pub mod material;
 pub mod mirror;
+pub mod mtl;
+pub mod naive;
+pub mod picture;
 pub mod recursion;
 pub mod scatter;
-#[cfg(test)]
-mod tree;
+pub mod tree;
+pub mod world;
+
+#[cfg(feature = "native")]
+pub mod command;
+#[cfg(feature = "native")]
+pub mod cost;
+#[cfg(feature = "native")]
+pub mod knobs;
+#[cfg(feature = "native")]
+pub mod scenes;

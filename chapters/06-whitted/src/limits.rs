@@ -65,7 +65,7 @@ impl Limits {
     }
 
     /// The branch, if it brings any light and passes both limits.
-    fn follow<R: Copy, T: Tally>(
+    pub(crate) fn follow<R: Copy, T: Tally>(
         &self,
         from: &Pending<R>,
         branch: &Branch<R>,

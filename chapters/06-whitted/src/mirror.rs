@@ -1,8 +1,14 @@
 //! Which way a mirror sends a ray on.
 
+use common::tally::Event;
 use glam::Vec3;
 use ray_casting::direction::unit;
+use ray_casting::ray::Ray;
 use ray_casting::shape::Hit;
+use shadows::spawn::spawn;
+
+/// Rays that leave a mirror.
+pub const MIRROR_RAYS: Event = Event::new(6, 0, "mirror_rays");
 
 // ANCHOR: reflect
 /// The direction that a mirror turns `incoming` into: what runs along the normal is turned round,
@@ -22,7 +28,9 @@ const LEAST_RISE: f32 = 16.0 * f32::EPSILON / 2.0;
 ///
 /// None where numbers end: a direction that isn't finite.
 pub fn leaving(incoming: Vec3, hit: &Hit) -> Option<Vec3> {
-    let outward = if incoming.dot(hit.geometric) > 0.0 { -hit.geometric } else { hit.geometric };
+    // The side it came from. In f64, or rounding decides for rays that all but run along the surface.
+    let against = incoming.as_dvec3().dot(hit.geometric.as_dvec3()) < 0.0;
+    let outward = if against { hit.geometric } else { -hit.geometric };
     let direction = unit(reflect(incoming, hit.normal))?;
 
     // A normal that isn't the surface's own can send the ray below the horizon, and so can rounding.
@@ -34,6 +42,14 @@ pub fn leaving(incoming: Vec3, hit: &Hit) -> Option<Vec3> {
     unit(direction + (LEAST_RISE - rise) * outward)
 }
 // ANCHOR_END: leaving
+
+// ANCHOR: mirrored
+/// The ray that leaves a mirror which `ray` met at `hit`.
+pub fn mirrored(ray: &Ray, hit: &Hit) -> Option<Ray> {
+    let direction = leaving(ray.direction, hit)?;
+    Some(Ray { origin: spawn(hit, direction), direction })
+}
+// ANCHOR_END: mirrored
 
 #[cfg(test)]
 mod tests {

@@ -46,7 +46,8 @@ mod tests {
     use common::tally::{Counts, Off};
 
     use super::MOST_RECURSION;
-    use crate::limits::{DEEPEST, Limits};
+    use crate::facing::Facing;
+    use crate::limits::{DEEPEST, Limits, STOPPED_BY_CUTOFF, STOPPED_BY_DEPTH};
     use crate::tree::{FOLLOWED, Tree};
 
     #[test]
@@ -59,14 +60,16 @@ mod tests {
                 Limits { depth: 400, cutoff: 0.003 },
             ] {
                 let (mut counts, mut by_recursion) = (Counts::default(), Counts::default());
-                let looped = limits.trace(&tree, tree.root(), &mut counts);
-                let recursed = limits.trace_by_recursion(&tree, tree.root(), &mut by_recursion);
+                let looped = limits.trace(&tree, Tree::ROOT, &mut counts);
+                let recursed = limits.trace_by_recursion(&tree, Tree::ROOT, &mut by_recursion);
                 assert_eq!(
                     looped.to_array().map(f32::to_bits),
                     recursed.to_array().map(f32::to_bits)
                 );
-                assert_eq!(counts, by_recursion, "{limits:?}");
-                assert_eq!(looped, limits.trace(&tree, tree.root(), &mut Off));
+                for event in [FOLLOWED, DEEPEST, STOPPED_BY_DEPTH, STOPPED_BY_CUTOFF] {
+                    assert_eq!(counts.of(event), by_recursion.of(event), "{limits:?} {event:?}");
+                }
+                assert_eq!(looped, limits.trace(&tree, Tree::ROOT, &mut Off));
             }
         }
     }
@@ -77,8 +80,8 @@ mod tests {
             let tree = Tree { seed, branches: 2 };
             let limits = Limits { depth: 9, cutoff: 0.0 };
             let mut counts = Counts::default();
-            let sum = limits.trace(&tree, tree.root(), &mut counts).as_dvec3();
-            let exact = tree.exactly(tree.root(), 9);
+            let sum = limits.trace(&tree, Tree::ROOT, &mut counts).as_dvec3();
+            let exact = tree.exactly(Tree::ROOT, 9);
             assert!((sum - exact).abs().max_element() <= 1e-7 * exact.max_element(), "seed {seed}");
             assert_eq!((counts.of(FOLLOWED), counts.of(DEEPEST)), ((1 << 10) - 2, 9));
         }
@@ -89,7 +92,8 @@ mod tests {
         let deepest = || {
             let mut counts = Counts::default();
             let limits = Limits { depth: u32::MAX, cutoff: 0.0 };
-            limits.trace_by_recursion(&Tree::mirror(), 0, &mut counts);
+            let mirrors = Facing { light: 1.0, mirror: 1.0 };
+            limits.trace_by_recursion(&mirrors, 0, &mut counts);
             counts.of(DEEPEST)
         };
         let thread = std::thread::Builder::new().stack_size(512 * 1024).spawn(deepest);

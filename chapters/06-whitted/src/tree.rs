@@ -1,4 +1,4 @@
-//! Trees of branches without any geometry, for tests of what follows them.
+//! Trees of branches without any geometry: the hardest thing there is to follow.
 
 use common::film::Color;
 use common::sampler::Stream;
@@ -7,27 +7,25 @@ use glam::DVec3;
 
 use crate::scatter::{Branch, Scatter, Scattered};
 
-pub(crate) const FOLLOWED: Event = Event::new(6, 7, "followed");
+/// Branches of trees that were followed.
+pub const FOLLOWED: Event = Event::new(6, 7, "followed");
 
-/// Branches that come from a number: each node has its own light and weights.
-pub(crate) struct Tree {
-    pub(crate) seed: u64,
-    /// How many each node has: 0, 1 or 2.
-    pub(crate) branches: u64,
+/// A tree without end whose nodes have random light and weights. The ray is the node's number: the
+/// children of node k are 2 k and 2 k + 1. What two branches get adds up to 1.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Tree {
+    /// Which random numbers.
+    pub seed: u64,
+    /// How many branches each node has: 0, 1 or 2.
+    pub branches: u64,
 }
 
 impl Tree {
-    /// Two mirrors that return everything, face to face.
-    pub(crate) fn mirror() -> Facing {
-        Facing { light: 1.0, weight: 1.0 }
-    }
+    /// The number of the first node.
+    pub const ROOT: u64 = 1;
 
-    pub(crate) fn root(&self) -> u64 {
-        1
-    }
-
-    /// The same light by plain recursion in `f64`, to `depth` branches.
-    pub(crate) fn exactly(&self, node: u64, depth: u32) -> DVec3 {
+    /// The light of `node` and of all its branches to `depth`, by plain recursion in `f64`.
+    pub fn exactly(&self, node: u64, depth: u32) -> DVec3 {
         let met = self.node(node);
         let branches = met.branches.into_iter().flatten().filter(|_| depth > 0);
         branches.fold(met.light.as_dvec3(), |sum, branch| {
@@ -60,23 +58,5 @@ impl Scatter for Tree {
 
     fn scatter<T: Tally>(&self, ray: &u64, _tally: &mut T) -> Scattered<u64> {
         self.node(*ray)
-    }
-}
-
-/// Two equal mirrors face to face: the closed form is a geometric series.
-pub(crate) struct Facing {
-    /// What each sends by itself.
-    pub(crate) light: f32,
-    /// What each returns.
-    pub(crate) weight: f32,
-}
-
-impl Scatter for Facing {
-    type Ray = u64;
-
-    fn scatter<T: Tally>(&self, ray: &u64, _tally: &mut T) -> Scattered<u64> {
-        let weight = Color::splat(self.weight);
-        let branch = Branch { ray: ray + 1, weight, event: FOLLOWED };
-        Scattered::with(Color::splat(self.light), Some(branch))
     }
 }
