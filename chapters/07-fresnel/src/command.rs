@@ -1,5 +1,6 @@
 //! The program.
 
+use blinn_phong::scenes::brute_force;
 use common::chapter::{Chapter, Defaults, Failure, SceneName};
 use common::cost::Experiment;
 use common::film::Film;
@@ -10,62 +11,75 @@ use common::tally::{Event, Tally};
 use ray_casting::camera::CAMERA_RAYS;
 use ray_casting::shape::SHAPE_TESTS;
 use shadows::visibility::SHADOW_RAYS;
-use whitted::limits::{DEEPEST, Limits, STOPPED_BY_CUTOFF, STOPPED_BY_DEPTH};
+use triangles::brute::TRIANGLE_TESTS;
+use triangles::picture::SMOOTH_NORMALS;
+use whitted::limits::{DEEPEST, STOPPED_BY_CUTOFF, STOPPED_BY_DEPTH};
+use whitted::mirror::MIRROR_RAYS;
 
 use crate::integrator::{REFLECTED, REFRACTED, TOTAL_REFLECTIONS};
 use crate::knobs::Knobs;
 use crate::picture::Picture;
-use crate::scenes::{GlassStage, SCENES};
+use crate::scenes::{SCENES, Stage};
 use crate::{cost, hard};
 
 /// Chapter 7's program.
 pub struct Fresnel;
+
+/// The effects this chapter can simulate.
+pub const SKILLS: &[Skill] = &[
+    Skill { effect: Effect::PrimaryVisibility, unless: "the scene is empty" },
+    Skill { effect: Effect::SmoothNormals, unless: "no mesh has vertex normals" },
+    Skill { effect: Effect::LocalShading, unless: "there is no light that a surface returns" },
+    Skill { effect: Effect::Textures, unless: "no colour that is lit varies over a surface" },
+    Skill { effect: Effect::HardShadows, unless: "no lamp is on that lights something" },
+    Skill { effect: Effect::MirrorReflection, unless: "no object mirrors" },
+    Skill { effect: Effect::Refraction, unless: "no object is glass" },
+];
 
 impl Chapter for Fresnel {
     const ID: &'static str = "07-fresnel";
     const ABOUT: &'static str = "Chapter 7: glass and metal, what is reflected and what goes through";
     const DEFAULTS: Defaults = Defaults { scene: "whitted", width: 640, height: 480, spp: 1 };
     const SCENES: &'static [SceneName] = SCENES;
-    const SKILLS: &'static [Skill] = &[
-        Skill { effect: Effect::PrimaryVisibility, unless: "the scene is empty" },
-        Skill { effect: Effect::LocalShading, unless: "no light falls on anything" },
-        Skill { effect: Effect::Textures, unless: "every surface has one colour" },
-        Skill { effect: Effect::HardShadows, unless: "no lamp is on" },
-        Skill { effect: Effect::MirrorReflection, unless: "nothing reflects" },
-        Skill { effect: Effect::Refraction, unless: "nothing is glass" },
-    ];
+    const SKILLS: &'static [Skill] = SKILLS;
     const EVENTS: &'static [Event] = &[
         CAMERA_RAYS,
-        SHADOW_RAYS,
+        MIRROR_RAYS,
         REFLECTED,
         REFRACTED,
         TOTAL_REFLECTIONS,
+        SHADOW_RAYS,
+        SHAPE_TESTS,
+        TRIANGLE_TESTS,
+        SMOOTH_NORMALS,
         DEEPEST,
         STOPPED_BY_DEPTH,
         STOPPED_BY_CUTOFF,
-        SHAPE_TESTS,
     ];
 
     type Knobs = Knobs;
-    type Scene = GlassStage;
+    type Scene = Stage;
 
-    fn build(name: &str, knobs: &Knobs) -> Result<GlassStage, Failure> {
-        GlassStage::named(name, knobs.index, &knobs.aim)
+    fn build(name: &str, knobs: &Knobs) -> Result<Stage, Failure> {
+        Stage::named(name, brute_force, knobs.index, |view| knobs.aim.apply(view))
     }
 
-    fn calls(stage: &GlassStage, _knobs: &Knobs) -> Vec<Call> {
+    fn warnings(stage: &Stage) -> &[String] {
+        &stage.warnings
+    }
+
+    fn calls(stage: &Stage, _knobs: &Knobs) -> Vec<Call> {
         stage.calls.clone()
     }
 
     fn draw<T: Tally>(
-        stage: &GlassStage,
+        stage: &Stage,
         plan: &Plan,
         settings: &Settings,
         knobs: &Knobs,
     ) -> Rendering<T> {
-        let limits = Limits { depth: knobs.depth, cutoff: knobs.cutoff };
-        let picture =
-            Picture { stage, formula: knobs.fresnel, branching: knobs.branch, limits };
+        let (formula, branching) = (knobs.fresnel, knobs.branch);
+        let picture = Picture { stage, formula, branching, limits: knobs.limits() };
         picture.draw(plan, settings)
     }
 

@@ -35,6 +35,8 @@ impl Glass {
 pub enum Surface {
     /// It returns lamps' light, and perhaps mirrors.
     Opaque(Mirrored),
+    /// The same, but what it mirrors grows with the angle, by Schlick's approximation.
+    Polished(Mirrored),
     /// It reflects, in its own colour, and absorbs the rest.
     Metal(Metal),
     /// It reflects, and lets the rest through.
@@ -47,7 +49,7 @@ impl Surface {
     pub fn glass(&self) -> Option<&Glass> {
         match self {
             Self::Glass(glass) => Some(glass),
-            Self::Opaque(_) | Self::Metal(_) => None,
+            Self::Opaque(_) | Self::Polished(_) | Self::Metal(_) => None,
         }
     }
 }

@@ -9,8 +9,9 @@ use ray_casting::ray::Ray;
 use ray_casting::shape::Hit;
 use shadows::spawn::spawn;
 use whitted::material::Mirrored;
-use whitted::mirror;
+use whitted::mirror::{self, MIRROR_RAYS};
 use whitted::scatter::{Branch, Scatter, Scattered};
+use whitted::world::detailed;
 
 use crate::bend::{Incidence, precise};
 use crate::conductor::Metal;
@@ -23,7 +24,7 @@ use crate::passage::{Met, index, next};
 use crate::schlick;
 use crate::shade::{Lit, Seen, Sent};
 
-/// Rays followed from glass and metal by reflection.
+/// Rays that an interface reflects.
 pub const REFLECTED: Event = Event::new(7, 0, "reflected_rays");
 /// Rays followed through an interface.
 pub const REFRACTED: Event = Event::new(7, 1, "refracted_rays");
@@ -160,11 +161,10 @@ impl<L, const MIRRORS: bool, const GLASS: bool> Integrator<'_, L, MIRRORS, GLASS
         if !MIRRORS || color == Color::ZERO {
             return None;
         }
-        let direction = mirror::leaving(path.ray.direction, hit)?;
-        let ray = Ray { origin: spawn(hit, direction), direction };
-        let precise = if GLASS { precise(direction) } else { DVec3::ZERO };
-        let path = Path { ray, direction: precise, inside, bounce: path.bounce + 1, ..*path };
-        Some(Branch { ray: path, weight: color, event: REFLECTED })
+        let ray = mirror::mirrored(&path.ray, hit)?;
+        let direction = if GLASS { precise(ray.direction) } else { DVec3::ZERO };
+        let path = Path { ray, direction, inside, bounce: path.bounce + 1, ..*path };
+        Some(Branch { ray: path, weight: color, event: MIRROR_RAYS })
     }
 
     fn index(&self, inside: Inside) -> Index {
@@ -195,6 +195,12 @@ fn branch(ray: Path, part: f32, event: Event) -> Option<Branch<Path>> {
     Some(Branch { ray, weight: Color::splat(part), event })
 }
 
+/// What a polished surface mirrors: `mirror` of light that comes straight, all that grazes.
+fn polished(path: &Path, hit: &Hit, mirror: Color) -> Color {
+    let cosine = Incidence::new(precise(path.ray.direction), hit.normal).cosine;
+    mirror.as_dvec3().map(|straight| schlick::polynomial(straight, cosine)).as_vec3()
+}
+
 /// How the ray comes upon the surface: by the normal it is to be shaded with, or by its own where
 /// that one lies on the other side.
 fn incidence(direction: DVec3, hit: &Hit) -> Incidence {
@@ -206,8 +212,8 @@ fn incidence(direction: DVec3, hit: &Hit) -> Incidence {
     if shaded.normal.dot(flat.normal) > 0.0 { shaded } else { flat }
 }
 
-impl<const LAMPS: bool, const TEXTURES: bool, const SHADOWS: bool, const MIRRORS: bool, const GLASS: bool>
-    Scatter for Integrator<'_, Lit<LAMPS, TEXTURES, SHADOWS>, MIRRORS, GLASS>
+impl<const SHADING: bool, const DETAILS: bool, const SHADOWS: bool, const MIRRORS: bool, const GLASS: bool>
+    Scatter for Integrator<'_, Lit<SHADING, DETAILS, SHADOWS>, MIRRORS, GLASS>
 {
     type Ray = Path;
 
@@ -225,20 +231,33 @@ impl<const LAMPS: bool, const TEXTURES: bool, const SHADOWS: bool, const MIRRORS
             None => Scattered::only(self.background()),
             Some(Met::Interface { hit, interface, sides }) => Scattered {
                 light: Color::ZERO,
-                branches: self.split(path, &hit, &interface, sides, tally),
+                branches: {
+                    let hit = detailed::<DETAILS, T>(&hit, tally);
+                    self.split(path, &hit, &interface, sides, tally)
+                },
             },
-            Some(Met::Surface { hit, surface, inside }) => match surface {
-                Surface::Opaque(material) => self.from_opaque(path, &hit, material, inside, tally),
-                Surface::Metal(metal) => self.from_metal(path, &hit, metal, inside),
-                // Only an interface is met of it, and only where glass is simulated.
-                Surface::Glass(_) => Scattered::only(Color::ZERO),
-            },
+            Some(Met::Surface { hit, surface, inside }) => {
+                let hit = detailed::<DETAILS, T>(&hit, tally);
+                match surface {
+                    Surface::Opaque(material) => {
+                        let mirror = material.mirror;
+                        self.from_opaque(path, &hit, material, mirror, inside, tally)
+                    }
+                    Surface::Polished(material) => {
+                        let mirror = polished(path, &hit, material.mirror);
+                        self.from_opaque(path, &hit, material, mirror, inside, tally)
+                    }
+                    Surface::Metal(metal) => self.from_metal(path, &hit, metal, inside),
+                    // Only its interfaces are met, and only where glass is simulated.
+                    Surface::Glass(_) => Scattered::only(Color::ZERO),
+                }
+            }
         }
     }
 }
 
-impl<const LAMPS: bool, const TEXTURES: bool, const SHADOWS: bool, const MIRRORS: bool, const GLASS: bool>
-    Integrator<'_, Lit<LAMPS, TEXTURES, SHADOWS>, MIRRORS, GLASS>
+impl<const SHADING: bool, const DETAILS: bool, const SHADOWS: bool, const MIRRORS: bool, const GLASS: bool>
+    Integrator<'_, Lit<SHADING, DETAILS, SHADOWS>, MIRRORS, GLASS>
 {
     /// What an opaque surface sends of lamps, and its mirror's ray.
     fn from_opaque<T: Tally>(
@@ -246,14 +265,15 @@ impl<const LAMPS: bool, const TEXTURES: bool, const SHADOWS: bool, const MIRRORS
         path: &Path,
         hit: &Hit,
         material: &Mirrored,
+        mirror: Color,
         inside: Inside,
         tally: &mut T,
     ) -> Scattered<Path> {
         let Self { scene, unseen, .. } = *self;
         let seen = Seen { scene, hit, toward_eye: -path.ray.direction, inside, unseen };
-        let sent = Lit::<LAMPS, TEXTURES, SHADOWS>::sent(&seen, material, tally);
+        let sent = Lit::<SHADING, DETAILS, SHADOWS>::sent(&seen, material, tally);
         let light = self.seen_from_eye(sent, inside);
-        Scattered::with(light, self.mirrored(path, hit, material.mirror, inside))
+        Scattered::with(light, self.mirrored(path, hit, mirror, inside))
     }
 
     /// The radiance behind everything, which is in air.

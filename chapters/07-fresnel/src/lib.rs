@@ -9,6 +9,7 @@ pub mod index;
 pub mod inside;
 pub mod integrator;
 pub mod interface;
+pub mod mtl;
 pub mod naive;
 pub mod passage;
 pub mod radiance;

@@ -8,14 +8,14 @@ use whitted::limits::Limits;
 use whitted::scatter::Scatter;
 
 use crate::integrator::{Branching, Formula, Integrator, Path};
-use crate::scenes::GlassStage;
+use crate::scenes::Stage;
 use crate::shade::Lit;
 
 /// A scene, and how it is to be drawn.
 #[derive(Clone, Copy)]
 pub struct Picture<'a> {
     /// What.
-    pub stage: &'a GlassStage,
+    pub stage: &'a Stage,
     /// How much is reflected.
     pub formula: Formula,
     /// What becomes of two rays.
@@ -29,27 +29,32 @@ impl Picture<'_> {
     /// The picture with what `plan` simulates. Each effect that is left out is left out of the
     /// code: every combination is a function of its own.
     pub fn draw<T: Tally>(&self, plan: &Plan, settings: &Settings) -> Rendering<T> {
-        if !plan.simulates(Effect::PrimaryVisibility) {
-            return self.draw_nothing(settings);
-        }
-        let lamps = plan.simulates(Effect::LocalShading);
-        let textures = plan.simulates(Effect::Textures);
-        let shadows = plan.simulates(Effect::HardShadows);
-        match (lamps, textures, shadows) {
-            (false, _, _) => self.lit::<false, false, false, T>(plan, settings),
-            (true, false, false) => self.lit::<true, false, false, T>(plan, settings),
-            (true, false, true) => self.lit::<true, false, true, T>(plan, settings),
-            (true, true, false) => self.lit::<true, true, false, T>(plan, settings),
-            (true, true, true) => self.lit::<true, true, true, T>(plan, settings),
+        let details = plan.simulates(Effect::SmoothNormals) || plan.simulates(Effect::Textures);
+        match (plan.simulates(Effect::PrimaryVisibility), details) {
+            (false, _) => self.draw_nothing(settings),
+            (true, false) => self.draw_lit::<T, false>(plan, settings),
+            (true, true) => self.draw_lit::<T, true>(plan, settings),
         }
     }
 
-    fn lit<const LAMPS: bool, const TEXTURES: bool, const SHADOWS: bool, T: Tally>(
+    fn draw_lit<T: Tally, const DETAILS: bool>(
         &self,
         plan: &Plan,
         settings: &Settings,
     ) -> Rendering<T> {
-        let lit = Lit::<LAMPS, TEXTURES, SHADOWS>;
+        match (plan.simulates(Effect::LocalShading), plan.simulates(Effect::HardShadows)) {
+            (false, _) => self.draw_glass::<T, false, DETAILS, false>(plan, settings),
+            (true, false) => self.draw_glass::<T, true, DETAILS, false>(plan, settings),
+            (true, true) => self.draw_glass::<T, true, DETAILS, true>(plan, settings),
+        }
+    }
+
+    fn draw_glass<T: Tally, const SHADING: bool, const DETAILS: bool, const SHADOWS: bool>(
+        &self,
+        plan: &Plan,
+        settings: &Settings,
+    ) -> Rendering<T> {
+        let lit = Lit::<SHADING, DETAILS, SHADOWS>;
         if plan.simulates(Effect::Refraction) {
             // Glass reflects, too.
             self.follow(&self.integrator::<_, true, true>(lit), settings)
@@ -61,12 +66,13 @@ impl Picture<'_> {
     }
     // ANCHOR_END: specialise
 
-    fn integrator<L, const MIRRORS: bool, const GLASS: bool>(
+    /// The integrator of the scene.
+    pub fn integrator<L, const MIRRORS: bool, const GLASS: bool>(
         &self,
         lit: L,
     ) -> Integrator<'_, L, MIRRORS, GLASS> {
         let Self { stage, formula, branching, .. } = *self;
-        let GlassStage { scene, around_eye, unseen, .. } = stage;
+        let Stage { scene, around_eye, unseen, .. } = stage;
         Integrator {
             scene,
             formula,
@@ -77,7 +83,8 @@ impl Picture<'_> {
         }
     }
 
-    fn follow<L, const MIRRORS: bool, const GLASS: bool, T: Tally>(
+    /// The picture that the integrator makes of it.
+    pub fn follow<L, const MIRRORS: bool, const GLASS: bool, T: Tally>(
         &self,
         integrator: &Integrator<'_, L, MIRRORS, GLASS>,
         settings: &Settings,

@@ -2,75 +2,114 @@
 
 mod shows;
 
-use blinn_phong::material::BlinnPhong;
 use blinn_phong::scene::Scene;
-use blinn_phong::scenes::{Stage, brute_force};
-use common::chapter::{Failure, SceneName};
+use blinn_phong::scenes::{self, MeshShape};
+use common::chapter::{Failure, SceneName, unknown_scene};
+use common::obj::Material;
 use common::plan::{Call, Effect};
 use glam::Vec3;
-use ray_casting::camera::Camera;
-use ray_casting::knobs::Aim;
+use ray_casting::camera::{Camera, View};
 use ray_casting::ray::Ray;
+use triangles::scene::is_file;
 use whitted::material::Mirrored;
 
 use crate::glass::{Glass, Surface};
 use crate::index::Index;
 use crate::inside::Inside;
+use crate::mtl;
 
 /// The scenes this chapter has.
 pub const SCENES: &[SceneName] = &[
-    SceneName { name: "whitted", about: "the report's figure 5.2: a ball of glass and one behind it" },
+    SceneName { name: "whitted", about: "the report's figure 5.2: a glass ball, and one behind it" },
     SceneName { name: "pool", about: "from under water: the whole sky in a round window" },
-    SceneName { name: "nested", about: "water in a glass ball, a bubble, and glass under water" },
+    SceneName { name: "nested", about: "water in a glass ball, a bubble, and a ball half filled" },
     SceneName { name: "metals", about: "balls of gold, silver and copper" },
-    SceneName { name: "two-lamps", about: "chapter 4's ball: no glass, no mirror" },
+    SceneName { name: "bunny", about: "the report's bunny under two lamps: no glass" },
+    SceneName { name: "low-lamp", about: "a wet floor and a ball, towards a low lamp" },
+    SceneName { name: "two-lamps", about: "a ball, a lamp near by and one far away" },
+    SceneName { name: "sphere:N", about: "a bumpy sphere with N triangles, glossy" },
+    SceneName { name: "dark", about: "the report's spheres with the lamps off" },
     SceneName { name: "empty", about: "nothing at all" },
+    SceneName { name: "FILE.obj", about: "a mesh of your own, with its MTL materials" },
 ];
 
-/// A scene that can be drawn.
-pub struct GlassStage {
-    /// Objects, lamps and background.
+/// A scene with glass that can be drawn.
+pub struct Stage {
+    /// Objects, lamps, background, and the view that belongs to `camera`.
     pub scene: Scene<Surface>,
     /// The camera, its film still to be chosen.
     pub camera: Camera,
     /// The effects its data call for.
     pub calls: Vec<Call>,
+    /// What the user should be told of the file.
+    pub warnings: Vec<String>,
     /// The bodies around the eye.
     pub around_eye: Inside,
     /// Whether there may be a surface of glass that is no interface.
     pub unseen: bool,
 }
 
-impl GlassStage {
-    /// The scene called `name`, its glass of index `index`, seen from where `aim` says.
+/// What the objects of a scene are made of, where chapter 4 has no word for it.
+type Surfaces = Vec<Option<Surface>>;
+
+impl Stage {
+    /// The scene called `name`: one of [`SCENES`], or an OBJ file. `mesh_shape` makes meshes into
+    /// shapes, `aim` says where it is seen from, and `index` is that of glass which has none of its
+    /// own.
     ///
     /// # Errors
-    /// A name that is none, or a view that can't be (exit code 2).
-    pub fn named(name: &str, index: Index, aim: &Aim) -> Result<Self, Failure> {
+    /// As [`blinn_phong::scenes::Stage::named`], and for an index that can't be (exit code 1).
+    pub fn named(
+        name: &str,
+        mesh_shape: MeshShape,
+        index: Index,
+        aim: impl FnOnce(&mut View),
+    ) -> Result<Self, Failure> {
         let (stage, surfaces) = match name {
-            "whitted" => (Stage::named("whitted", brute_force)?, shows::whitted(index)),
             "pool" => shows::pool()?,
             "nested" => shows::nested(index)?,
             "metals" => shows::metals()?,
-            "two-lamps" | "empty" => (Stage::named(name, brute_force)?, Vec::new()),
-            name => return Err(common::chapter::unknown_scene(name, SCENES)),
+            "whitted" | "dark" => {
+                (scenes::Stage::named(name, mesh_shape)?, shows::whitted(index))
+            }
+            name if is_known(name) => of_records(name, scenes::Stage::named(name, mesh_shape)?)?,
+            name => return Err(unknown_scene(name, SCENES)),
         };
-        Self::new(stage.seen_from(|view| aim.apply(view))?, &surfaces)
+        Ok(Self::new(stage.seen_from(aim)?, &surfaces))
     }
 
-    /// A stage whose objects are made of `surfaces`, and those it has nothing for of what they were.
-    fn new(stage: Stage, surfaces: &[Option<Surface>]) -> Result<Self, Failure> {
-        let Stage { scene, camera, calls, .. } = stage;
-        let own = |material: BlinnPhong| Surface::Opaque(Mirrored::dull(material));
+    /// A stage whose objects are made of `surfaces`; where those say nothing, of what chapter 4 says.
+    fn new(stage: scenes::Stage, surfaces: &[Option<Surface>]) -> Self {
+        let scenes::Stage { scene, camera, calls, warnings, .. } = stage;
         let scene = scene.map(|number, material| {
-            surfaces.get(number).copied().flatten().unwrap_or_else(|| own(material))
+            let surface = surfaces.get(number).copied().flatten();
+            surface.unwrap_or_else(|| Surface::Opaque(Mirrored::dull(material)))
         });
         let calls = with_glass(calls, &scene);
         let around_eye = around(&scene, scene.view.eye);
-        let glasses: Vec<&Glass> = glasses(&scene).map(|(_, glass)| glass).collect();
-        let unseen = glasses.len() > 1 || glasses.iter().any(|glass| glass.index == Index::AIR);
-        Ok(Self { scene, camera, calls, around_eye, unseen })
+        let air = glasses(&scene).any(|(_, glass)| glass.index == Index::AIR);
+        let unseen = air || glasses(&scene).count() > 1;
+        Self { scene, camera, calls, warnings, around_eye, unseen }
     }
+}
+
+fn is_known(name: &str) -> bool {
+    let built_in = SCENES.iter().any(|scene| scene.name == name);
+    built_in || name.starts_with("sphere:") || is_file(name)
+}
+
+/// A scene of chapter 4, with what its file says of glass and mirrors.
+fn of_records(name: &str, mut stage: scenes::Stage) -> Result<(scenes::Stage, Surfaces), Failure> {
+    let mut surfaces = Vec::new();
+    let materials = stage.scene.objects.iter().map(|object| object.material);
+    for (material, record) in materials.zip(&stage.records) {
+        let surface = record.as_ref().map(|record| mtl::surface(record, material)).transpose();
+        surfaces.push(surface.map_err(|error| Failure::Work(format!("{name}: {error}")))?);
+    }
+    let records: Vec<&Material> = stage.records.iter().flatten().collect();
+    let told: Vec<String> = records.into_iter().filter_map(whitted::mtl::warning).collect();
+    stage.warnings.extend(told);
+    Ok((stage, surfaces))
 }
 
 /// The bodies of glass, by their place in the scene.
@@ -106,7 +145,7 @@ fn with_glass(mut calls: Vec<Call>, scene: &Scene<Surface>) -> Vec<Call> {
         place.map(|place| format!("object {}", place + 1))
     };
     let reflects = first(|surface| match surface {
-        Surface::Opaque(material) => material.reflects(),
+        Surface::Opaque(material) | Surface::Polished(material) => material.reflects(),
         Surface::Metal(_) | Surface::Glass(_) => true,
     });
     let refracts = first(|surface| surface.glass().is_some());

@@ -16,9 +16,10 @@ use crate::glass::Surface;
 use crate::inside::Inside;
 use crate::passage::{Met, next};
 
-/// What light of lamps and from everywhere is to be simulated.
+/// What light of lamps and from everywhere is simulated: all of it, colours and normals that vary over
+/// a surface, shadows. As in chapter 6, what is left out is not in the program.
 #[derive(Clone, Copy, Debug)]
-pub struct Lit<const LAMPS: bool, const TEXTURES: bool, const SHADOWS: bool>;
+pub struct Lit<const SHADING: bool, const DETAILS: bool, const SHADOWS: bool>;
 
 // ANCHOR: occluders
 /// What hides lamps: all that a ray meets. Glass bends the light, so a straight ray says nothing of
@@ -69,16 +70,16 @@ pub struct Sent {
     pub lamps: Color,
 }
 
-impl<const LAMPS: bool, const TEXTURES: bool, const SHADOWS: bool>
-    Lit<LAMPS, TEXTURES, SHADOWS>
+impl<const SHADING: bool, const DETAILS: bool, const SHADOWS: bool>
+    Lit<SHADING, DETAILS, SHADOWS>
 {
     /// What the surface sends of the light that reaches it directly.
     pub fn sent<T: Tally>(seen: &Seen, material: &Mirrored, tally: &mut T) -> Sent {
-        if !LAMPS {
+        if !SHADING {
             return Sent { ambient: Color::ZERO, lamps: Color::ZERO };
         }
         let Seen { scene, hit, toward_eye, inside, unseen } = *seen;
-        let surface = material.surface.at::<TEXTURES>(hit.uv);
+        let surface = material.surface.at::<DETAILS>(hit.uv);
         let normal = seen_normal(hit, toward_eye);
         let occluders = Occluders { scene, inside, unseen };
         let lamps = from_lamps::<SHADOWS, T>(

@@ -1,36 +1,38 @@
 //! What light does, checked by energy: furnaces, and media that are not there.
 
+use blinn_phong::scenes::brute_force;
 use common::film::{Color, Film};
 use common::plan::{Effect, Plan, Simulate};
 use common::render::Settings;
 use common::tally::{Counts, Off, Tally};
 use glam::Vec3;
-use ray_casting::knobs::Aim;
+use ray_casting::camera::View;
 use whitted::limits::{Limits, STOPPED_BY_CUTOFF};
 
+use whitted::mirror::MIRROR_RAYS;
+
 use super::{Branching, Formula, REFLECTED, REFRACTED, TOTAL_REFLECTIONS};
-use crate::command::Fresnel;
+use crate::command::SKILLS;
 use crate::dielectric::reflectance;
 use crate::index::Index;
 use crate::interface::Interface;
 use crate::picture::Picture;
-use crate::scenes::GlassStage;
-use common::chapter::Chapter;
+use crate::scenes::Stage;
 
 const SETTINGS: fn() -> Settings = || Settings { width: 80, height: 60, ..Settings::default() };
 
-fn stage(name: &str, index: f32) -> GlassStage {
+fn stage(name: &str, index: f32) -> Stage {
     let index = Index::new(index).expect("an index");
-    GlassStage::named(name, index, &Aim::default()).unwrap_or_else(|error| panic!("{error}"))
+    Stage::named(name, brute_force, index, |_| ()).unwrap_or_else(|error| panic!("{error}"))
 }
 
-fn picture(stage: &GlassStage) -> Picture<'_> {
+fn picture(stage: &Stage) -> Picture<'_> {
     let limits = Limits { depth: 5, cutoff: 0.0 };
     Picture { stage, formula: Formula::Exact, branching: Branching::Both, limits }
 }
 
 fn draw<T: Tally>(picture: &Picture, simulate: Simulate, settings: &Settings) -> (Film, T) {
-    let plan = Plan::new(&picture.stage.calls, Fresnel::SKILLS, simulate);
+    let plan = Plan::new(&picture.stage.calls, SKILLS, simulate);
     let made = picture.draw::<T>(&plan, settings);
     assert_eq!(made.film.nonfinite, 0);
     (made.film, made.tally)
@@ -79,21 +81,16 @@ fn in_a_furnace_glass_can_not_be_seen() {
 /// Straight up out of water: the sky counts n² times, but for what the surface reflects.
 #[test]
 fn the_sky_is_brighter_under_water() {
-    let mut stage = stage("pool", 1.5);
+    let up = |view: &mut View| {
+        let eye = Vec3::new(0.3, -1.0, 0.2);
+        *view = View { eye, target: eye + Vec3::Y, up: Vec3::Z, vertical_fov: 1.0 };
+    };
+    let mut stage = Stage::named("pool", brute_force, Index::GLASS, up).expect("a view");
     stage.scene.lights.clear();
     stage.scene.ambient = Color::ZERO;
     stage.scene.objects.truncate(2);
-    let aim = Aim {
-        eye: "0.3,-1,0.2".parse().ok(),
-        look_at: "0.3,0,0.2".parse().ok(),
-        fov: "1".parse().ok(),
-    };
-    let camera = ray_casting::camera::View { up: Vec3::Z, ..stage.scene.view };
-    let mut view = camera;
-    aim.apply(&mut view);
-    stage.camera = ray_casting::camera::Camera::new(&view, 1, 1).expect("a view");
     let settings = Settings { width: 1, height: 1, ..Settings::default() };
-    let (film, _) = draw::<Off>(&picture(&stage), Simulate::Needed, &settings);
+    let (film, _) = draw::<Off>(&picture(&stage), Simulate::All, &settings);
     let water = Index::WATER.number();
     let reflected = reflectance(&Interface::new(Index::WATER, Index::AIR), 1.0);
     let expected = (1.0 - reflected) * water * water * stage.scene.background.as_dvec3();
@@ -132,17 +129,18 @@ fn one_way_by_chance_has_the_right_mean() {
 
 #[test]
 fn what_is_not_called_for_is_not_done_and_changes_no_bit() {
-    for name in ["whitted", "pool", "nested", "metals", "two-lamps", "empty"] {
+    for name in ["whitted", "dark", "pool", "nested", "metals", "two-lamps", "sphere:60", "empty"] {
         let stage = stage(name, 1.5);
         let (needed, counts) = draw::<Counts>(&picture(&stage), Simulate::Needed, &SETTINGS());
         let (all, _) = draw::<Off>(&picture(&stage), Simulate::All, &SETTINGS());
         assert_eq!(needed.hash(), all.hash(), "{name}");
         let called = |effect| stage.calls.iter().any(|call| call.effect == effect);
         if !called(Effect::Refraction) {
-            assert_eq!((counts.of(REFRACTED), counts.of(TOTAL_REFLECTIONS)), (0, 0), "{name}");
+            let glass = [REFLECTED, REFRACTED, TOTAL_REFLECTIONS].map(|event| counts.of(event));
+            assert_eq!(glass, [0; 3], "{name}");
         }
         if !called(Effect::MirrorReflection) {
-            assert_eq!(counts.of(REFLECTED), 0, "{name}");
+            assert_eq!(counts.of(MIRROR_RAYS), 0, "{name}");
         }
     }
 }

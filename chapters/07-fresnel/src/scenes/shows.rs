@@ -16,16 +16,17 @@ use ray_casting::quad::Quad;
 use ray_casting::shape::Shape;
 use ray_casting::sphere::Sphere;
 
+use super::Surfaces;
 use crate::conductor::Metal;
 use crate::glass::{Glass, Surface};
 use crate::index::Index;
 
-/// A stage, and what its objects are made of where chapter 4 has no word for it.
-type Show = (Stage, Vec<Option<Surface>>);
+/// A stage, and what its objects are made of.
+type Show = (Stage, Surfaces);
 
 // ANCHOR: whitted
 /// The report's figure 5.2 is chapter 4's scene, but for the second ball.
-pub(super) fn whitted(index: Index) -> Vec<Option<Surface>> {
+pub(super) fn whitted(index: Index) -> Surfaces {
     vec![None, Some(Surface::Glass(Glass::new(index))), None]
 }
 // ANCHOR_END: whitted
