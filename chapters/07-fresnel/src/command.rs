@@ -38,7 +38,8 @@ pub const SKILLS: &[Skill] = &[
 
 impl Chapter for Fresnel {
     const ID: &'static str = "07-fresnel";
-    const ABOUT: &'static str = "Chapter 7: glass and metal, what is reflected and what goes through";
+    const ABOUT: &'static str =
+        "Chapter 7: glass and metal, what is reflected and what goes through";
     const DEFAULTS: Defaults = Defaults { scene: "whitted", width: 640, height: 480, spp: 1 };
     const SCENES: &'static [SceneName] = SCENES;
     const SKILLS: &'static [Skill] = SKILLS;

@@ -2,12 +2,12 @@
 
 use blinn_phong::scene::Scene;
 use common::film::Color;
-use common::sampler::{Purpose, Sampler};
+use common::sampler::Sampler;
 use common::tally::{Event, Tally};
 use glam::DVec3;
 use ray_casting::ray::Ray;
 use ray_casting::shape::Hit;
-use shadows::spawn::spawn;
+use whitted::limits::Limits;
 use whitted::material::Mirrored;
 use whitted::mirror::{self, MIRROR_RAYS};
 use whitted::scatter::{Branch, Scatter, Scattered};
@@ -21,6 +21,7 @@ use crate::index::Index;
 use crate::inside::Inside;
 use crate::interface::Interface;
 use crate::passage::{Met, index, next};
+use crate::path::{Branching, Formula, Path};
 use crate::schlick;
 use crate::shade::{Lit, Seen, Sent};
 
@@ -30,54 +31,6 @@ pub const REFLECTED: Event = Event::new(7, 0, "reflected_rays");
 pub const REFRACTED: Event = Event::new(7, 1, "refracted_rays");
 /// Rays that met an interface and could not pass.
 pub const TOTAL_REFLECTIONS: Event = Event::new(7, 2, "total_reflections");
-
-/// Which formula says how much is reflected.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-#[cfg_attr(feature = "native", derive(clap::ValueEnum))]
-pub enum Formula {
-    /// Fresnel's equations
-    #[default]
-    Exact,
-    /// Schlick's approximation
-    Schlick,
-}
-
-/// What becomes of light that is both reflected and refracted.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-#[cfg_attr(feature = "native", derive(clap::ValueEnum))]
-pub enum Branching {
-    /// Both rays are followed
-    #[default]
-    Both,
-    /// One is, by chance: the more light it brings, the more often
-    One,
-}
-
-// ANCHOR: path
-/// A ray, and what its path has to remember.
-#[derive(Clone, Copy, Debug)]
-pub struct Path {
-    /// The ray that is asked of shapes.
-    pub ray: Ray,
-    /// Its direction with twice the digits.
-    direction: DVec3,
-    /// The bodies it is in.
-    inside: Inside,
-    /// How many surfaces it has left, and its random numbers.
-    bounce: u32,
-    sampler: Sampler,
-}
-// ANCHOR_END: path
-
-impl Path {
-    fn at(&self, hit: &Hit, direction: DVec3, side: DVec3, inside: Inside) -> Self {
-        let ray = Ray { origin: spawn(hit, side.as_vec3()), direction: direction.as_vec3() };
-        Self { ray, direction, inside, bounce: self.bounce + 1, ..*self }
-    }
-}
-
-/// Where the random number comes from that chooses one of two rays.
-const WHICH_WAY: Purpose = Purpose::named("reflect or refract");
 
 /// A scene, and how light is followed through it.
 pub struct Integrator<'a, L, const MIRRORS: bool, const GLASS: bool> {
@@ -133,7 +86,7 @@ impl<L, const MIRRORS: bool, const GLASS: bool> Integrator<'_, L, MIRRORS, GLASS
                 [branch(reflected, part, REFLECTED), branch(refracted, 1.0 - part, REFRACTED)]
             }
             // Chosen as often as it counts, it counts in full.
-            Branching::One if chance(path) < part => [branch(reflected, 1.0, REFLECTED), None],
+            Branching::One if path.chance() < part => [branch(reflected, 1.0, REFLECTED), None],
             Branching::One => [branch(refracted, 1.0, REFRACTED), None],
         }
     }
@@ -187,10 +140,6 @@ impl<L, const MIRRORS: bool, const GLASS: bool> Integrator<'_, L, MIRRORS, GLASS
     // ANCHOR_END: seen
 }
 
-fn chance(path: &Path) -> f32 {
-    path.sampler.stream(path.bounce, WHICH_WAY).uniform()
-}
-
 fn branch(ray: Path, part: f32, event: Event) -> Option<Branch<Path>> {
     Some(Branch { ray, weight: Color::splat(part), event })
 }
@@ -212,8 +161,13 @@ fn incidence(direction: DVec3, hit: &Hit) -> Incidence {
     if shaded.normal.dot(flat.normal) > 0.0 { shaded } else { flat }
 }
 
-impl<const SHADING: bool, const DETAILS: bool, const SHADOWS: bool, const MIRRORS: bool, const GLASS: bool>
-    Scatter for Integrator<'_, Lit<SHADING, DETAILS, SHADOWS>, MIRRORS, GLASS>
+impl<
+    const SHADING: bool,
+    const DETAILS: bool,
+    const SHADOWS: bool,
+    const MIRRORS: bool,
+    const GLASS: bool,
+> Scatter for Integrator<'_, Lit<SHADING, DETAILS, SHADOWS>, MIRRORS, GLASS>
 {
     type Ray = Path;
 
@@ -256,8 +210,13 @@ impl<const SHADING: bool, const DETAILS: bool, const SHADOWS: bool, const MIRROR
     }
 }
 
-impl<const SHADING: bool, const DETAILS: bool, const SHADOWS: bool, const MIRRORS: bool, const GLASS: bool>
-    Integrator<'_, Lit<SHADING, DETAILS, SHADOWS>, MIRRORS, GLASS>
+impl<
+    const SHADING: bool,
+    const DETAILS: bool,
+    const SHADOWS: bool,
+    const MIRRORS: bool,
+    const GLASS: bool,
+> Integrator<'_, Lit<SHADING, DETAILS, SHADOWS>, MIRRORS, GLASS>
 {
     /// What an opaque surface sends of lamps, and its mirror's ray.
     fn from_opaque<T: Tally>(
@@ -274,6 +233,23 @@ impl<const SHADING: bool, const DETAILS: bool, const SHADOWS: bool, const MIRROR
         let sent = Lit::<SHADING, DETAILS, SHADOWS>::sent(&seen, material, tally);
         let light = self.seen_from_eye(sent, inside);
         Scattered::with(light, self.mirrored(path, hit, mirror, inside))
+    }
+
+    /// The radiance that a camera's ray brings.
+    #[inline]
+    pub fn radiance<T: Tally>(
+        &self,
+        limits: &Limits,
+        ray: Ray,
+        sampler: &Sampler,
+        tally: &mut T,
+    ) -> Color {
+        let path = self.first(ray, sampler);
+        if MIRRORS || GLASS {
+            limits.trace(self, path, tally)
+        } else {
+            self.scatter(&path, tally).light
+        }
     }
 
     /// The radiance behind everything, which is in air.

@@ -6,7 +6,7 @@ use whitted::knobs::Cutoff;
 use whitted::limits::Limits;
 
 use crate::index::Index;
-use crate::integrator::{Branching, Formula};
+use crate::path::{Branching, Formula};
 
 /// The options of this chapter alone.
 #[derive(Clone, Copy, Debug, Args)]

@@ -12,6 +12,7 @@ pub mod interface;
 pub mod mtl;
 pub mod naive;
 pub mod passage;
+pub mod path;
 pub mod radiance;
 pub mod schlick;
 pub mod shade;

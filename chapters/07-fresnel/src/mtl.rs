@@ -77,9 +77,10 @@ mod tests {
 
     #[test]
     fn what_is_not_wholly_there_is_glass() {
-        assert!(surface(&record("d 0.5\nNi 2.42\n"), UNNAMED).is_ok_and(|surface| {
-            surface == Surface::Glass(Glass::new(Index::DIAMOND))
-        }));
+        assert!(
+            surface(&record("d 0.5\nNi 2.42\n"), UNNAMED)
+                .is_ok_and(|surface| { surface == Surface::Glass(Glass::new(Index::DIAMOND)) })
+        );
         let message = surface(&record("illum 7\nNi 1e30\n"), UNNAMED).expect_err("too much");
         assert!(message.to_string().starts_with("material m: Ni: an index"), "{message}");
     }

@@ -114,8 +114,7 @@ impl<'a> Event<'a> {
     ) -> Self {
         let Nearest { hit, index, object } = found;
         let nothing = Inside::default();
-        let mut event =
-            Self { hit, last: hit.t, crossed: nothing, entered: nothing, opaque: None };
+        let mut event = Self { hit, last: hit.t, crossed: nothing, entered: nothing, opaque: None };
         event.add(ray, index, object, &hit);
 
         // Twice the error of the first surface, and as much again for the second, of which it is
@@ -212,12 +211,7 @@ fn after_of<T: Tally>(
 }
 // ANCHOR_END: beyond
 
-fn ask<T: Tally>(
-    object: &Object<Surface>,
-    ray: &Ray,
-    limit: f32,
-    tally: &mut T,
-) -> Option<Hit> {
+fn ask<T: Tally>(object: &Object<Surface>, ray: &Ray, limit: f32, tally: &mut T) -> Option<Hit> {
     match tally.counts() {
         Some(counts) => object.shape.hit_counted(ray, limit, counts),
         None => object.shape.hit(ray, limit),

@@ -5,9 +5,9 @@ use common::render::{Rendering, Settings, render_counted};
 use common::tally::Tally;
 use ray_casting::camera::CAMERA_RAYS;
 use whitted::limits::Limits;
-use whitted::scatter::Scatter;
 
-use crate::integrator::{Branching, Formula, Integrator, Path};
+use crate::integrator::Integrator;
+use crate::path::{Branching, Formula};
 use crate::scenes::Stage;
 use crate::shade::Lit;
 
@@ -73,30 +73,27 @@ impl Picture<'_> {
     ) -> Integrator<'_, L, MIRRORS, GLASS> {
         let Self { stage, formula, branching, .. } = *self;
         let Stage { scene, around_eye, unseen, .. } = stage;
-        Integrator {
-            scene,
-            formula,
-            branching,
-            around_eye: *around_eye,
-            unseen: *unseen,
-            lit,
-        }
+        Integrator { scene, formula, branching, around_eye: *around_eye, unseen: *unseen, lit }
     }
 
     /// The picture that the integrator makes of it.
-    pub fn follow<L, const MIRRORS: bool, const GLASS: bool, T: Tally>(
+    fn follow<
+        T: Tally,
+        const SHADING: bool,
+        const DETAILS: bool,
+        const SHADOWS: bool,
+        const MIRRORS: bool,
+        const GLASS: bool,
+    >(
         &self,
-        integrator: &Integrator<'_, L, MIRRORS, GLASS>,
+        integrator: &Integrator<'_, Lit<SHADING, DETAILS, SHADOWS>, MIRRORS, GLASS>,
         settings: &Settings,
-    ) -> Rendering<T>
-    where
-        for<'a> Integrator<'a, L, MIRRORS, GLASS>: Scatter<Ray = Path>,
-    {
+    ) -> Rendering<T> {
         let camera = self.stage.camera.with_film(settings.width, settings.height);
         render_counted(settings, |pixel, sampler, tally: &mut T| {
             let ray = camera.ray(pixel.position(sampler));
             tally.count(CAMERA_RAYS, 1);
-            self.limits.trace(integrator, integrator.first(ray, sampler), tally)
+            integrator.radiance(&self.limits, ray, sampler, tally)
         })
     }
 

@@ -20,7 +20,10 @@ use crate::mtl;
 
 /// The scenes this chapter has.
 pub const SCENES: &[SceneName] = &[
-    SceneName { name: "whitted", about: "the report's figure 5.2: a glass ball, and one behind it" },
+    SceneName {
+        name: "whitted",
+        about: "the report's figure 5.2: a glass ball, and one behind it",
+    },
     SceneName { name: "pool", about: "from under water: the whole sky in a round window" },
     SceneName { name: "nested", about: "water in a glass ball, a bubble, and a ball half filled" },
     SceneName { name: "metals", about: "balls of gold, silver and copper" },
@@ -69,9 +72,7 @@ impl Stage {
             "pool" => shows::pool()?,
             "nested" => shows::nested(index)?,
             "metals" => shows::metals()?,
-            "whitted" | "dark" => {
-                (scenes::Stage::named(name, mesh_shape)?, shows::whitted(index))
-            }
+            "whitted" | "dark" => (scenes::Stage::named(name, mesh_shape)?, shows::whitted(index)),
             name if is_known(name) => of_records(name, scenes::Stage::named(name, mesh_shape)?)?,
             name => return Err(unknown_scene(name, SCENES)),
         };
@@ -154,10 +155,12 @@ fn with_glass(mut calls: Vec<Call>, scene: &Scene<Surface>) -> Vec<Call> {
         effect: Effect::MirrorReflection,
         because: because(object, "reflects"),
     }));
-    calls.extend(refracts.map(|object| Call {
-        effect: Effect::Refraction,
-        because: because(object, "is glass"),
-    }));
+    calls.extend(
+        refracts.map(|object| Call {
+            effect: Effect::Refraction,
+            because: because(object, "is glass"),
+        }),
+    );
     calls
 }
 // ANCHOR_END: calls

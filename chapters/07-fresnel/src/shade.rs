@@ -70,9 +70,7 @@ pub struct Sent {
     pub lamps: Color,
 }
 
-impl<const SHADING: bool, const DETAILS: bool, const SHADOWS: bool>
-    Lit<SHADING, DETAILS, SHADOWS>
-{
+impl<const SHADING: bool, const DETAILS: bool, const SHADOWS: bool> Lit<SHADING, DETAILS, SHADOWS> {
     /// What the surface sends of the light that reaches it directly.
     pub fn sent<T: Tally>(seen: &Seen, material: &Mirrored, tally: &mut T) -> Sent {
         if !SHADING {

@@ -46,8 +46,7 @@ pub fn summed(into: &Interface, direction: DVec3, normal: Vec3, rest: f64) -> Ba
         let outside = out.far_cosine(incidence.cosine);
         let kept = outside.map_or(1.0, |outside| between(&out, incidence.cosine, outside));
         let leaves = left * (1.0 - kept) / (out.ratio() * out.ratio());
-        let side =
-            if at_the_back { &mut balance.transmitted } else { &mut balance.reflected };
+        let side = if at_the_back { &mut balance.transmitted } else { &mut balance.reflected };
         *side += leaves;
         if kept >= 1.0 {
             // Trapped: it would go to and fro for ever.

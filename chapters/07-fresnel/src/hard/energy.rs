@@ -24,9 +24,8 @@ pub(super) const BALANCE: Case = Case {
         let cosine = -direction.dot(normal);
         let inside = naive::refract(direction, normal, ratio);
         let here = f64::from(naive::reflectance(ratio, cosine));
-        let there = inside.map_or(1.0, |inside| {
-            f64::from(naive::reflectance(1.0 / ratio, -inside.dot(normal)))
-        });
+        let there = inside
+            .map_or(1.0, |inside| f64::from(naive::reflectance(1.0 / ratio, -inside.dot(normal))));
         is_one_sided(here, there)
     },
     robust_fails: |trial| {

@@ -54,8 +54,7 @@ impl Layers {
     fn of(trial: u64) -> Option<Self> {
         let mut stream = Stream::of_trial(718, trial);
         let normal = direction(&mut stream);
-        let (glass, liquid) =
-            (index(&mut stream, 1.4, 2.0), index(&mut stream, 1.2, 1.39));
+        let (glass, liquid) = (index(&mut stream, 1.4, 2.0), index(&mut stream, 1.2, 1.39));
         let scale = 10_f32.powi((stream.bits() % 7) as i32 - 3);
 
         // One trial in two touches; the others overlap by less and less.

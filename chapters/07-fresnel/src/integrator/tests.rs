@@ -11,11 +11,12 @@ use whitted::limits::{Limits, STOPPED_BY_CUTOFF};
 
 use whitted::mirror::MIRROR_RAYS;
 
-use super::{Branching, Formula, REFLECTED, REFRACTED, TOTAL_REFLECTIONS};
+use super::{REFLECTED, REFRACTED, TOTAL_REFLECTIONS};
 use crate::command::SKILLS;
 use crate::dielectric::reflectance;
 use crate::index::Index;
 use crate::interface::Interface;
+use crate::path::{Branching, Formula};
 use crate::picture::Picture;
 use crate::scenes::Stage;
 
