@@ -3,6 +3,7 @@
 pub mod bend;
 pub mod conductor;
 pub mod dielectric;
+pub mod exercises;
 pub mod glass;
 pub mod hard;
 pub mod index;

@@ -1,5 +1,7 @@
 //! The textbook's formulas: right on paper.
 
+use common::film::Color;
+use common::math::{acos, sin, tan};
 use glam::Vec3;
 
 // ANCHOR: refract
@@ -32,7 +34,6 @@ pub fn reflectance(ratio: f32, cosine: f32) -> f32 {
 /// What an interface reflects, as Fresnel wrote it: with sines and tangents of the sum and the
 /// difference of both angles.
 pub fn by_angles(ratio: f32, cosine: f32) -> f32 {
-    use common::math::{acos, sin, tan};
     let near = acos(cosine);
     let far = acos((1.0 - ratio * ratio * (1.0 - cosine * cosine)).sqrt());
     let perpendicular = sin(near - far) / sin(near + far);
@@ -50,3 +51,17 @@ pub fn schlick(ratio: f32, cosine: f32) -> f32 {
     straight + (1.0 - straight) * x * x * x * x * x
 }
 // ANCHOR_END: schlick
+
+// ANCHOR: equation
+/// Equation 2-2 of the report: what a surface sends of its own, and k_s of what the mirror's ray
+/// brings, and k_t of what the refracted ray brings, both constants of the material.
+pub fn equation_2_2(
+    own: Color,
+    specular: f32,
+    mirrored: Color,
+    clear: f32,
+    refracted: Color,
+) -> Color {
+    own + specular * mirrored + clear * refracted
+}
+// ANCHOR_END: equation

@@ -51,7 +51,7 @@ pub(super) fn pool() -> Result<Show, Failure> {
     ];
     let view = View {
         eye: Vec3::new(0.3, -2.4, 0.6),
-        target: Vec3::new(0.0, 0.0, -0.6),
+        target: Vec3::new(0.3, 0.0, 0.4),
         up: Vec3::NEG_Z,
         vertical_fov: 115.0,
     };
