@@ -9,6 +9,7 @@
 //! | [`mirror`] | the ray that leaves a mirror |
 //! | [`material`] | a surface that also reflects |
 
+pub mod exercises;
 pub mod facing;
 pub mod hard;
 pub mod iteration;
