@@ -80,7 +80,7 @@ pub(super) fn kaleidoscope() -> Result<Scene<Mirrored>, Failure> {
     let mut objects = Vec::new();
     for (corner, next) in corners.into_iter().zip(corners.into_iter().cycle().skip(1)) {
         let shape = some(Quad::new(corner, [next - corner, far]))?;
-        objects.push(Object { shape, material: pure(Color::new(0.94, 0.94, 0.96)) });
+        objects.push(Object { shape, material: pure(Color::splat(0.94)) });
     }
     objects.extend((0..26).map(bead));
     Ok(Scene {

@@ -80,11 +80,11 @@ fn recursive(meet: &dyn Fn(usize) -> Node, number: usize) -> f64 {
     branches.iter().fold(light, |sum, &(branch, weight)| sum + weight * recursive(meet, branch))
 }
 
+/// Nodes with what each is weighed by.
+type Weighed = [(usize, f64)];
+
 /// A loop whose list holds what `next` makes of a node's throughput and its branches.
-fn listed(
-    meet: &dyn Fn(usize) -> Node,
-    next: fn(f64, &[(usize, f64)]) -> Vec<(usize, f64)>,
-) -> f64 {
+fn listed(meet: &dyn Fn(usize) -> Node, next: fn(f64, &Weighed) -> Vec<(usize, f64)>) -> f64 {
     let (mut sum, mut waiting) = (0.0, vec![(0, 1.0)]);
     while let Some((number, throughput)) = waiting.pop() {
         let Node { light, branches } = meet(number);
