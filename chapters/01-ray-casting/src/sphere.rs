@@ -3,6 +3,7 @@
 use glam::Vec3;
 
 use crate::crossing::Crossing;
+use crate::direction::unit;
 use crate::longitude::uv;
 use crate::ray::Ray;
 use crate::rounding::gamma;
@@ -101,7 +102,8 @@ impl Shape for Sphere {
     fn hit(&self, ray: &Ray, t_max: f32) -> Option<Hit> {
         let t = self.crossing(ray)?.first(t_max)?;
         let outward = (ray.origin - self.center) + t * ray.direction;
-        let normal = outward / outward.length();
+        // Of a sphere too small to be seen from so far, rounding may leave nothing.
+        let normal = unit(outward).or_else(|| unit(-ray.direction))?;
         let point = self.point(ray, t, normal);
         let error = self.error(point, normal);
         Some(Hit { t, point, error, geometric: normal, normal, uv: uv(normal) })

@@ -35,6 +35,18 @@ impl Shape for PackedMesh {
         counts.count(TRIANGLE_TESTS, self.packed.len() as u64);
         self.hit(ray, t_max)
     }
+
+    /// Whether any triangle is hit; those after it are not asked.
+    fn is_hit(&self, ray: &Ray, t_max: f32) -> bool {
+        self.packed.first_hit(ray, t_max).is_some()
+    }
+
+    fn is_hit_counted(&self, ray: &Ray, t_max: f32, counts: &mut Counts) -> bool {
+        let first = self.packed.first_hit(ray, t_max);
+        let asked = first.map_or(self.packed.len(), |index| index + 1);
+        counts.count(TRIANGLE_TESTS, asked as u64);
+        first.is_some()
+    }
 }
 
 #[cfg(test)]
@@ -63,6 +75,13 @@ mod tests {
             let ray = Ray { origin, direction: place(0.9) - origin };
             for t_max in [f32::INFINITY, 0.7] {
                 assert_eq!(packed.hit(&ray, t_max), mesh.hit(&ray, t_max), "{ray:?}");
+                let [fast, slow] = [&packed as &dyn Shape, &mesh].map(|shape| {
+                    let mut counts = Counts::default();
+                    let hit = shape.is_hit_counted(&ray, t_max, &mut counts);
+                    (hit, shape.is_hit(&ray, t_max), counts.of(TRIANGLE_TESTS))
+                });
+                assert_eq!(fast, slow, "{ray:?}");
+                assert_eq!((fast.0, fast.1), (fast.1, mesh.hit(&ray, t_max).is_some()));
             }
         }
     }

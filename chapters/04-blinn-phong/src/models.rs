@@ -1,14 +1,29 @@
-//! Three models of what a surface returns: Lambert's, Phong's and Blinn's.
+//! Models of what a surface returns: Lambert's, Phong's, Blinn's, and Blinn's with its energy kept.
 
-use common::math;
+use std::f32::consts::PI;
+
+use common::film::Color;
 use glam::Vec3;
 
-/// A model of highlights. All three share Lambert's diffuse part.
+use crate::energy::normalization;
+use crate::light::Arriving;
+use crate::material::Surface;
+use crate::power::power_of_cosine;
+use crate::shading;
+
+// ANCHOR: model
+/// A model of highlights. All share Lambert's diffuse part.
 pub trait Model: Send + Sync {
-    /// How strong the highlight is, from 0 to 1, on the side of the surface that the lamp lights.
+    /// How strong the highlight is, on the side of the surface that the lamp lights.
     ///
     /// All directions have length 1 and lead away from the surface; `shininess` is n, 0 or more.
     fn highlight(normal: Vec3, toward_eye: Vec3, toward_light: Vec3, shininess: f32) -> f32;
+    // ANCHOR_END: model
+
+    /// The light of one lamp that a surface returns `toward_eye`, for a normal on the eye's side.
+    fn returned(surface: &Surface, normal: Vec3, toward_eye: Vec3, arriving: &Arriving) -> Color {
+        shading::returned::<Self>(surface, normal, toward_eye, arriving)
+    }
 }
 
 /// No highlight at all: Lambert, "Photometria" (1760).
@@ -21,6 +36,10 @@ pub struct Phong;
 /// A highlight around the normal, measured by the half vector: Blinn, "Models of light reflection
 /// for computer synthesized pictures" (1977).
 pub struct Blinn;
+
+/// Blinn's highlight, scaled so that of a lamp's light a surface with k_s = 1 returns all and no
+/// more: one that is narrow is bright.
+pub struct Normalized;
 
 impl Model for Lambert {
     fn highlight(_normal: Vec3, _toward_eye: Vec3, _toward_light: Vec3, _shininess: f32) -> f32 {
@@ -50,6 +69,16 @@ pub fn half_vector(toward_eye: Vec3, toward_light: Vec3) -> Vec3 {
 }
 // ANCHOR_END: blinn
 
+// ANCHOR: normalized
+impl Model for Normalized {
+    fn highlight(normal: Vec3, toward_eye: Vec3, toward_light: Vec3, shininess: f32) -> f32 {
+        let cosine = normal.dot(toward_light).max(0.0);
+        let strength = Blinn::highlight(normal, toward_eye, toward_light, shininess);
+        PI * normalization(shininess) * strength * cosine
+    }
+}
+// ANCHOR_END: normalized
+
 // ANCHOR: lobe
 /// cosⁿ, from 0 to 1 whatever the cosine; 0 for n = 0, where the lobe would be all around.
 ///
@@ -60,7 +89,7 @@ pub fn lobe(cosine: f32, shininess: f32) -> f32 {
     if !(cosine > 0.0 && shininess > 0.0) {
         return 0.0;
     }
-    math::pow(cosine.min(1.0), shininess)
+    power_of_cosine(cosine.min(1.0), shininess)
 }
 // ANCHOR_END: lobe
 
@@ -69,7 +98,7 @@ mod tests {
     use common::sampler::Stream;
     use glam::{DVec3, Vec3};
 
-    use super::{Blinn, Lambert, Model, Phong, half_vector, lobe};
+    use super::{Blinn, Lambert, Model, Normalized, Phong, half_vector, lobe};
 
     fn direction(stream: &mut Stream) -> Vec3 {
         let mut component = || stream.between(-1.0, 1.0);
@@ -119,6 +148,15 @@ mod tests {
             let there = Blinn::highlight(normal, eye, light, 30.0);
             assert_eq!(there.to_bits(), Blinn::highlight(normal, light, eye, 30.0).to_bits());
         }
+    }
+
+    #[test]
+    fn narrow_is_bright_once_energy_is_kept() {
+        let strength = |shininess| Normalized::highlight(Vec3::Y, Vec3::Y, Vec3::Y, shininess);
+        // (n + 2)(n + 4) / 8(n + 2^(-n/2)) by hand: 24 / (8 · 2.5) and 120 / (8 · 8.0625).
+        assert!((strength(2.0) - 1.2).abs() < 1e-6);
+        assert!((strength(8.0) - 120.0 / 64.5).abs() < 1e-6);
+        assert_eq!(strength(0.0), 0.0);
     }
 
     #[test]

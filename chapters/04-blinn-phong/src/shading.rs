@@ -12,13 +12,13 @@ use crate::models::{Blinn, Model};
 /// of the report, with the clamps that it leaves out.
 pub fn lit(material: &BlinnPhong, hit: &Hit, toward_eye: Vec3, arriving: &Arriving) -> Color {
     let normal = seen_normal(hit, toward_eye);
-    returned::<Blinn>(&material.at::<true>(hit.uv), normal, toward_eye, arriving)
+    Blinn::returned(&material.at::<true>(hit.uv), normal, toward_eye, arriving)
 }
 
 // ANCHOR: returned
 /// The light of one lamp that a surface returns `toward_eye`, for a normal on the eye's side.
 #[inline]
-pub fn returned<M: Model>(
+pub fn returned<M: Model + ?Sized>(
     surface: &Surface,
     normal: Vec3,
     toward_eye: Vec3,

@@ -7,7 +7,10 @@
 //! | [`visibility`] | whether two points see each other, the same from both ends |
 //! | [`lighting`] | a surface under several lamps, each of which may be hidden |
 
+pub mod hard;
 pub mod lighting;
+pub mod naive;
 pub mod occluder;
+pub mod offset;
 pub mod spawn;
 pub mod visibility;

@@ -1,5 +1,6 @@
 //! The program: scenes with mirrors.
 
+use blinn_phong::picture::{LIGHT_SAMPLES, SHADING_POINTS, TEXTURE_LOOKUPS};
 use blinn_phong::scenes::brute_force;
 use common::chapter::{Chapter, Defaults, Failure, SceneName};
 use common::cost::Experiment;
@@ -52,7 +53,10 @@ impl Chapter for Whitted {
         SHADOW_RAYS,
         SHAPE_TESTS,
         TRIANGLE_TESTS,
+        SHADING_POINTS,
+        LIGHT_SAMPLES,
         SMOOTH_NORMALS,
+        TEXTURE_LOOKUPS,
         DEEPEST,
         STOPPED_BY_DEPTH,
         STOPPED_BY_CUTOFF,
@@ -97,6 +101,6 @@ impl Chapter for Whitted {
     }
 
     fn hard_picture() -> Option<Film> {
-        None
+        hard::picture()
     }
 }

@@ -1,7 +1,7 @@
 //! What accuracy costs: how far to follow, how to follow, and what the plan saves.
 
 mod following;
-mod hall;
+mod kaleidoscope;
 mod plan;
 mod series;
 
@@ -12,7 +12,7 @@ use ray_casting::ray::Ray;
 
 /// The chapter's experiments.
 pub fn experiments() -> Vec<Experiment<'static>> {
-    let scenes = [series::experiment(), hall::experiment(), plan::experiment()];
+    let scenes = [series::experiment(), kaleidoscope::experiment(), plan::experiment()];
     std::iter::once(following::experiment()).chain(scenes.into_iter().flatten()).collect()
 }
 

@@ -3,6 +3,8 @@
 mod drift;
 mod horizon;
 mod origin;
+#[cfg(feature = "native")]
+mod picture;
 mod stack;
 mod waiting;
 
@@ -25,6 +27,9 @@ pub const CASES: &[Case] = &[
 
 /// This chapter, as the ledger names it.
 const CHAPTER: &str = "06-whitted";
+
+#[cfg(feature = "native")]
+pub use picture::picture;
 
 /// A direction of length 1; not quite uniform, which no case needs.
 fn direction(stream: &mut Stream) -> Vec3 {

@@ -14,6 +14,9 @@ pub const STOPPED_BY_CUTOFF: Event = Event::new(6, 2, "stopped_by_cutoff");
 
 // ANCHOR: limits
 /// Where following rays ends.
+///
+/// Whitted (1980) has the depth; the cut-off is the "adaptive depth control" of Hall and Greenberg, "A
+/// testbed for realistic image synthesis" (IEEE Computer Graphics and Applications 3, 1983).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Limits {
     /// The most surfaces that a ray leaves on its way; 0 follows the camera's rays alone.

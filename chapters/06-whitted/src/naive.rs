@@ -3,6 +3,10 @@
 use common::film::Color;
 use common::tally::{Counts, Tally};
 use glam::Vec3;
+use ray_casting::direction::unit;
+use ray_casting::ray::Ray;
+use ray_casting::shape::Hit;
+use shadows::spawn::spawn;
 
 use crate::iteration::MOST_WAITING;
 use crate::limits::{Limits, Pending};
@@ -66,6 +70,12 @@ pub fn most_waiting_in_order<S: Scatter>(limits: &Limits, scene: &S, ray: S::Ray
 /// A mirrored direction that nobody gives its length again.
 pub fn drifting(incoming: Vec3, normal: Vec3) -> Vec3 {
     reflect(incoming, normal)
+}
+
+/// The ray of a mirror by the normal it is shaded with, wherever that one sends it.
+pub fn unchecked(ray: &Ray, hit: &Hit) -> Option<Ray> {
+    let direction = unit(reflect(ray.direction, hit.normal))?;
+    Some(Ray { origin: spawn(hit, direction), direction })
 }
 
 // ANCHOR: origin

@@ -74,14 +74,15 @@ pub(super) fn low_lamp() -> Result<Scene<BlinnPhong>, Failure> {
     );
     let ball =
         BlinnPhong::glossy(Paint::Plain(Color::new(0.5, 0.12, 0.06)), Color::splat(0.5), 40.0);
-    let lamp = Light::steady(Vec3::new(2.0, 5.0, -30.0), Color::splat(1.0));
+    let lamp = Light::steady(Vec3::new(2.0, 5.0, -30.0), Color::ONE);
+    let sky = Light::far(Vec3::new(-0.5, 1.0, 0.8), Color::new(0.3, 0.35, 0.45));
     Ok(Scene {
         objects: vec![
             Object { shape: floor(Vec3::new(-60.0, 0.0, 10.0), 120.0)?, material: wet },
             object(Vec3::new(-1.9, 1.0, -7.0), 1.0, ball),
         ],
-        lights: vec![lamp],
-        ambient: Color::splat(0.3),
+        lights: vec![lamp, sky.map_err(no_light)?],
+        ambient: Color::splat(0.08),
         background: Color::new(0.02, 0.03, 0.06),
         view: ahead(Vec3::new(0.0, 1.6, 1.0), Vec3::new(0.0, 0.7, -9.0), 46.0),
     })

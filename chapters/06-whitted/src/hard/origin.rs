@@ -74,7 +74,8 @@ fn aimed(trial: u64, scale: f32) -> (Box<dyn Shape>, Ray) {
     let ray = ray.unwrap_or(Ray { origin: eye * scale, direction: -toward });
     let (center, size) = (center * scale, size * scale);
     let ball = Sphere { center, radius: size };
-    let quad = if trial % 2 == 0 { None } else { slanted(&mut stream, center, toward, size) };
+    let quad =
+        if trial.is_multiple_of(2) { None } else { slanted(&mut stream, center, toward, size) };
     (quad.map_or(Box::new(ball) as Box<dyn Shape>, |quad| Box::new(quad)), ray)
 }
 

@@ -65,7 +65,7 @@ fn row(trial: u64) -> (Facing, u32) {
     let mut stream = Stream::of_trial(608, trial);
     let depth = match trial {
         0 => 1_000_000,
-        trial if trial % 2 == 0 => math::pow(10.0, stream.between(4.302, 6.0)) as u32,
+        trial if trial.is_multiple_of(2) => math::pow(10.0, stream.between(4.302, 6.0)) as u32,
         _ => stream.between(0.0, 100.0) as u32,
     };
     (nearly_perfect(&mut stream), depth)

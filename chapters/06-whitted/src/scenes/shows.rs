@@ -66,8 +66,8 @@ pub(super) fn hall() -> Result<Scene<Mirrored>, Failure> {
         ],
         lights: vec![lamp(Vec3::new(0.4, 2.4, 0.4), 5.0)],
         ambient: Color::splat(0.08),
-        background: Color::new(0.02, 0.03, 0.05),
-        view: view(Vec3::new(1.5, 1.35, 1.7), Vec3::new(-1.6, 0.55, -1.0), 58.0),
+        background: Color::new(0.1, 0.14, 0.2),
+        view: view(Vec3::new(1.85, 1.45, -0.15), Vec3::new(-2.0, 0.25, -0.45), 60.0),
     })
 }
 
@@ -80,7 +80,7 @@ pub(super) fn kaleidoscope() -> Result<Scene<Mirrored>, Failure> {
     let mut objects = Vec::new();
     for (corner, next) in corners.into_iter().zip(corners.into_iter().cycle().skip(1)) {
         let shape = some(Quad::new(corner, [next - corner, far]))?;
-        objects.push(Object { shape, material: pure(Color::new(0.94, 0.94, 0.96)) });
+        objects.push(Object { shape, material: pure(Color::splat(0.94)) });
     }
     objects.extend((0..26).map(bead));
     Ok(Scene {
