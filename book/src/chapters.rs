@@ -2,6 +2,7 @@
 
 use blinn_phong::command::LitScenes;
 use common::chapter::Entry;
+use fresnel::command::Fresnel;
 use object_order::command::ObjectOrder;
 use ray_casting::command::RayCasting;
 use triangles::command::Triangles;
@@ -14,6 +15,7 @@ pub const CHAPTERS: &[Entry] = &[
     Entry::of::<ObjectOrder>(),
     Entry::of::<LitScenes>(),
     Entry::of::<Whitted>(),
+    Entry::of::<Fresnel>(),
 ];
 
 /// The chapter that a reader calls `name`: "1", "01", "01-ray-casting" or "ray-casting".

@@ -5,6 +5,7 @@
 //! must leave, and no formula gets it back (hard case WH-05).
 
 use glam::{DVec3, Vec3};
+use ray_casting::shape::Hit;
 
 use crate::interface::Interface;
 
@@ -48,7 +49,55 @@ impl Incidence {
         ratio * self.direction + (ratio * self.cosine - far_cosine) * self.normal
     }
     // ANCHOR_END: refract
+
+    /// Both directions, and the cosine beyond.
+    fn bent(self, interface: &Interface, side: DVec3) -> Bent {
+        let refracted = interface
+            .far_cosine(self.cosine)
+            .map(|cosine| Refracted { cosine, direction: self.refracted(interface, cosine) });
+        Bent { incidence: self, reflected: self.reflected(), refracted, side }
+    }
 }
+
+/// Where light goes on from an interface.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Bent {
+    /// How the ray came upon it.
+    pub incidence: Incidence,
+    /// The mirror's direction.
+    pub reflected: DVec3,
+    /// The way through; None for total reflection.
+    pub refracted: Option<Refracted>,
+    /// The surface's own normal, on the side the ray comes from.
+    pub side: DVec3,
+}
+
+/// The way through an interface.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Refracted {
+    /// The cosine beyond.
+    pub cosine: f64,
+    /// The direction, of length 1.
+    pub direction: DVec3,
+}
+
+// ANCHOR: bent
+/// Where light goes on from `hit`: by the normal it is to be shaded with, or by the surface's own
+/// where that one would send a ray to the wrong side.
+pub fn bent(direction: DVec3, hit: &Hit, interface: &Interface) -> Bent {
+    let flat = Incidence::new(direction, hit.geometric);
+    if hit.normal != hit.geometric {
+        let smooth = Incidence::new(direction, hit.normal);
+        let bent = smooth.bent(interface, flat.normal);
+        let rises = bent.reflected.dot(flat.normal) > 0.0;
+        let sinks = bent.refracted.is_none_or(|it| it.direction.dot(flat.normal) < 0.0);
+        if rises && sinks && smooth.normal.dot(flat.normal) > 0.0 {
+            return bent;
+        }
+    }
+    flat.bent(interface, flat.normal)
+}
+// ANCHOR_END: bent
 
 /// The direction of length 1, to `f64`, along a ray's own, which has length 1 to `f32`.
 pub fn precise(direction: Vec3) -> DVec3 {
@@ -58,9 +107,10 @@ pub fn precise(direction: Vec3) -> DVec3 {
 #[cfg(test)]
 mod tests {
     use common::sampler::Stream;
-    use glam::{DVec3, Vec3};
+    use glam::{DVec3, Vec2, Vec3};
+    use ray_casting::shape::Hit;
 
-    use super::{Incidence, precise};
+    use super::{Incidence, bent, precise};
     use crate::index::Index;
     use crate::interface::Interface;
 
@@ -122,6 +172,28 @@ mod tests {
             // The cosine's own error is u / cosine.
             assert!(error < 4e-15 / incidence.cosine, "{error:e} at {}", incidence.cosine);
         }
+    }
+
+    #[test]
+    fn a_leaning_normal_sends_no_ray_to_the_wrong_side() {
+        let (mut leaning, mut flat) = (0, 0);
+        for trial in 0..200_000 {
+            let mut stream = Stream::of_trial(719, trial);
+            let geometric = vector(&mut stream).normalize();
+            let normal = (geometric + 0.5 * vector(&mut stream)).normalize();
+            let (point, uv) = (Vec3::ZERO, Vec2::ZERO);
+            let hit = Hit { t: 1.0, point, error: Vec3::ZERO, geometric, normal, uv };
+            let interface = Interface::new(Index::AIR, Index::GLASS);
+            let direction = precise(vector(&mut stream));
+            let way = bent(direction, &hit, &interface);
+            assert!(way.reflected.dot(way.side) > 0.0, "{hit:?}");
+            let refracted = way.refracted.expect("into glass");
+            assert!(refracted.direction.dot(way.side) < 0.0, "{hit:?}");
+            assert!(way.side.dot(direction) <= 0.0);
+            let smooth = way.incidence == Incidence::new(direction, normal);
+            (leaning, flat) = (leaning + u32::from(smooth), flat + u32::from(!smooth));
+        }
+        assert!(leaning > 100_000 && flat > 1000, "the control: {leaning} {flat}");
     }
 
     #[test]

@@ -16,6 +16,7 @@ use triangles::picture::SMOOTH_NORMALS;
 use whitted::limits::{DEEPEST, STOPPED_BY_CUTOFF, STOPPED_BY_DEPTH};
 use whitted::mirror::MIRROR_RAYS;
 
+use crate::curves::Curves;
 use crate::integrator::{REFLECTED, REFRACTED, TOTAL_REFLECTIONS};
 use crate::knobs::Knobs;
 use crate::picture::Picture;
@@ -24,6 +25,14 @@ use crate::{cost, hard};
 
 /// Chapter 7's program.
 pub struct Fresnel;
+
+/// What there is to draw.
+pub enum Subject {
+    /// A scene.
+    Scene(Box<Stage>),
+    /// A chart.
+    Curves(Curves),
+}
 
 /// The effects this chapter can simulate.
 pub const SKILLS: &[Skill] = &[
@@ -59,29 +68,44 @@ impl Chapter for Fresnel {
     ];
 
     type Knobs = Knobs;
-    type Scene = Stage;
+    type Scene = Subject;
 
-    fn build(name: &str, knobs: &Knobs) -> Result<Stage, Failure> {
-        Stage::named(name, brute_force, knobs.index, |view| knobs.aim.apply(view))
+    fn build(name: &str, knobs: &Knobs) -> Result<Subject, Failure> {
+        if name == "curves" {
+            return Ok(Subject::Curves(Curves { index: knobs.index }));
+        }
+        let stage = Stage::named(name, brute_force, knobs.index, |view| knobs.aim.apply(view))?;
+        Ok(Subject::Scene(Box::new(stage)))
     }
 
-    fn warnings(stage: &Stage) -> &[String] {
-        &stage.warnings
+    fn warnings(subject: &Subject) -> &[String] {
+        match subject {
+            Subject::Scene(stage) => &stage.warnings,
+            Subject::Curves(_) => &[],
+        }
     }
 
-    fn calls(stage: &Stage, _knobs: &Knobs) -> Vec<Call> {
-        stage.calls.clone()
+    fn calls(subject: &Subject, _knobs: &Knobs) -> Vec<Call> {
+        match subject {
+            Subject::Scene(stage) => stage.calls.clone(),
+            Subject::Curves(_) => Vec::new(),
+        }
     }
 
     fn draw<T: Tally>(
-        stage: &Stage,
+        subject: &Subject,
         plan: &Plan,
         settings: &Settings,
         knobs: &Knobs,
     ) -> Rendering<T> {
-        let (formula, branching) = (knobs.fresnel, knobs.branch);
-        let picture = Picture { stage, formula, branching, limits: knobs.limits() };
-        picture.draw(plan, settings)
+        match subject {
+            Subject::Scene(stage) => {
+                let (formula, branching) = (knobs.fresnel, knobs.branch);
+                let picture = Picture { stage, formula, branching, limits: knobs.limits() };
+                picture.draw(plan, settings)
+            }
+            Subject::Curves(curves) => curves.draw(settings),
+        }
     }
 
     fn cost() -> Vec<Experiment<'static>> {

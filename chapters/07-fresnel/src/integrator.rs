@@ -13,7 +13,7 @@ use whitted::mirror::{self, MIRROR_RAYS};
 use whitted::scatter::{Branch, Scatter, Scattered};
 use whitted::world::detailed;
 
-use crate::bend::{Incidence, precise};
+use crate::bend::{Bent, Incidence, Refracted, bent, precise};
 use crate::conductor::Metal;
 use crate::dielectric;
 use crate::glass::Surface;
@@ -65,22 +65,20 @@ impl<L, const MIRRORS: bool, const GLASS: bool> Integrator<'_, L, MIRRORS, GLASS
         path: &Path,
         hit: &Hit,
         interface: &Interface,
-        sides: [Inside; 2],
+        [near, far]: [Inside; 2],
         tally: &mut T,
     ) -> [Option<Branch<Path>>; 2] {
-        let incidence = incidence(path.direction, hit);
-        let [near, far] = sides;
-        let reflected = path.at(hit, incidence.reflected(), incidence.normal, near);
-        let Some(cosine) = interface.far_cosine(incidence.cosine) else {
+        let Bent { incidence, reflected, refracted, side } = bent(path.direction, hit, interface);
+        let reflected = path.at(hit, reflected, side, near);
+        let Some(Refracted { cosine, direction }) = refracted else {
             tally.count(TOTAL_REFLECTIONS, 1);
             return [branch(reflected, 1.0, REFLECTED), None];
         };
+        let refracted = path.at(hit, direction, -side, far);
         let part = match self.formula {
             Formula::Exact => dielectric::between(interface, incidence.cosine, cosine),
             Formula::Schlick => schlick::between(interface, incidence.cosine, cosine),
         } as f32;
-        let direction = incidence.refracted(interface, cosine);
-        let refracted = path.at(hit, direction, -incidence.normal, far);
         match self.branching {
             Branching::Both => {
                 [branch(reflected, part, REFLECTED), branch(refracted, 1.0 - part, REFRACTED)]
@@ -148,17 +146,6 @@ fn branch(ray: Path, part: f32, event: Event) -> Option<Branch<Path>> {
 fn polished(path: &Path, hit: &Hit, mirror: Color) -> Color {
     let cosine = Incidence::new(precise(path.ray.direction), hit.normal).cosine;
     mirror.as_dvec3().map(|straight| schlick::polynomial(straight, cosine)).as_vec3()
-}
-
-/// How the ray comes upon the surface: by the normal it is to be shaded with, or by its own where
-/// that one lies on the other side.
-fn incidence(direction: DVec3, hit: &Hit) -> Incidence {
-    let shaded = Incidence::new(direction, hit.normal);
-    if hit.normal == hit.geometric {
-        return shaded;
-    }
-    let flat = Incidence::new(direction, hit.geometric);
-    if shaded.normal.dot(flat.normal) > 0.0 { shaded } else { flat }
 }
 
 impl<

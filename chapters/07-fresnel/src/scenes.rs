@@ -27,6 +27,7 @@ pub const SCENES: &[SceneName] = &[
     SceneName { name: "pool", about: "from under water: the whole sky in a round window" },
     SceneName { name: "nested", about: "water in a glass ball, a bubble, and a ball half filled" },
     SceneName { name: "metals", about: "balls of gold, silver and copper" },
+    SceneName { name: "curves", about: "no scene: a chart of how much glass reflects" },
     SceneName { name: "bunny", about: "the report's bunny under two lamps: no glass" },
     SceneName { name: "low-lamp", about: "a wet floor and a ball, towards a low lamp" },
     SceneName { name: "two-lamps", about: "a ball, a lamp near by and one far away" },
@@ -96,7 +97,7 @@ impl Stage {
 
 fn is_known(name: &str) -> bool {
     let built_in = SCENES.iter().any(|scene| scene.name == name);
-    built_in || name.starts_with("sphere:") || is_file(name)
+    (built_in && name != "curves") || name.starts_with("sphere:") || is_file(name)
 }
 
 /// A scene of chapter 4, with what its file says of glass and mirrors.
