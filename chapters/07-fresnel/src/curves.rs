@@ -9,7 +9,6 @@ use glam::Vec2;
 use crate::dielectric;
 use crate::index::Index;
 use crate::interface::Interface;
-use crate::naive;
 use crate::schlick;
 
 /// A chart for glass in air: to the right the angle from 0 to 90 degrees, up the reflected part from
@@ -28,18 +27,15 @@ const HALF_WIDTH: f32 = 0.004;
 
 impl Curves {
     /// Fresnel's equations in blue and Schlick's approximation in orange: into glass, and out of it.
-    /// Red is Schlick's polynomial of the wrong angle.
-    fn curves(&self) -> [(Color, Interface, Part); 5] {
+    fn curves(&self) -> [(Color, Interface, Part); 4] {
         let into = Interface::new(Index::AIR, self.index);
         let out = into.reversed();
-        let [blue, orange, red] = [[0.1, 0.25, 0.7], [0.9, 0.45, 0.05], [0.75, 0.1, 0.1]];
-        let wrong: Part = |it, cosine| f64::from(naive::schlick(it.ratio() as f32, cosine as f32));
+        let (blue, orange) = (Color::new(0.01, 0.06, 0.45), Color::new(0.85, 0.22, 0.0));
         [
-            (Color::from(red), out, wrong),
-            (Color::from(orange), into, schlick::reflectance),
-            (Color::from(orange), out, schlick::reflectance),
-            (Color::from(blue), into, dielectric::reflectance),
-            (Color::from(blue), out, dielectric::reflectance),
+            (orange, into, schlick::reflectance),
+            (orange, out, schlick::reflectance),
+            (blue, into, dielectric::reflectance),
+            (blue, out, dielectric::reflectance),
         ]
     }
 
@@ -70,17 +66,24 @@ fn grid(place: Vec2) -> Color {
     Color::splat(if on_line { 0.8 } else { 1.0 })
 }
 
-/// How far a place is from a curve, in heights of the picture: the nearest of the curve's points
-/// around.
+/// How far a place is from a curve, in heights of the picture, as far as that is near.
 fn distance(place: Vec2, aspect: f32, curve: impl Fn(f32) -> f32) -> f32 {
-    let step = HALF_WIDTH / 2.0;
-    let points = (-4..=4).map(|number| {
-        let beside = number as f32 * step;
+    let point = |number: i32| {
+        let beside = number as f32 * HALF_WIDTH / 2.0;
         let x = (place.x + beside / aspect).clamp(0.0, 1.0);
         let angle = x * std::f32::consts::FRAC_PI_2;
-        Vec2::new(beside, curve(angle) - place.y).length()
-    });
-    points.fold(f32::INFINITY, f32::min)
+        Vec2::new(beside, curve(angle) - place.y)
+    };
+    // Between points the curve is a line: at the critical angle it is nearly upright.
+    let pieces = (-4..4).map(|number| to_line(point(number), point(number + 1)));
+    pieces.fold(f32::INFINITY, f32::min)
+}
+
+/// How far the origin is from the line between two points.
+fn to_line(one: Vec2, other: Vec2) -> f32 {
+    let along = other - one;
+    let part = -one.dot(along) / along.length_squared().max(f32::MIN_POSITIVE);
+    (one + part.clamp(0.0, 1.0) * along).length()
 }
 
 #[cfg(test)]
@@ -99,7 +102,7 @@ mod tests {
         // Straight on 0.04 is reflected, along the surface everything, and beyond 41.8 degrees all
         // of what comes from within.
         let blue = |x: u32, y: u32| film.pixel(x, y).z > 2.0 * film.pixel(x, y).x;
-        assert!(blue(1, 191) && blue(298, 0) && blue(200, 0));
+        assert!(blue(1, 191) && blue(298, 0) && blue(200, 0) && blue(139, 60));
         assert!(!blue(1, 150) && !blue(100, 0));
         assert!(film.pixels.iter().any(|&pixel| pixel == Color::ONE), "there is paper");
     }

@@ -42,7 +42,7 @@ pub(super) fn pool() -> Result<Show, Failure> {
         (floor(Vec3::new(-40.0, -3.0, 40.0), 80.0)?, tiles(80.0), None),
         (sphere(Vec3::new(1.5, 1.1, -1.0), 1.0), red, None),
         (sphere(Vec3::new(-1.2, 0.6, 0.6), 0.5), yellow, None),
-        (sphere(Vec3::new(-2.4, -1.9, -2.6), 0.7), white, None),
+        (sphere(Vec3::new(-1.7, -0.9, -1.2), 0.5), white, None),
     ];
     let lights = vec![
         Light::steady(Vec3::new(-4.0, 7.0, 6.0), Color::splat(0.9)),
