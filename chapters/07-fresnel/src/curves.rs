@@ -104,6 +104,6 @@ mod tests {
         let blue = |x: u32, y: u32| film.pixel(x, y).z > 2.0 * film.pixel(x, y).x;
         assert!(blue(1, 191) && blue(298, 0) && blue(200, 0) && blue(139, 60));
         assert!(!blue(1, 150) && !blue(100, 0));
-        assert!(film.pixels.iter().any(|&pixel| pixel == Color::ONE), "there is paper");
+        assert!(film.pixels.contains(&Color::ONE), "there is paper");
     }
 }

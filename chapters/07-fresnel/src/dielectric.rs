@@ -47,7 +47,7 @@ mod tests {
         assert!((reflectance(&glass, 1.0) - 0.04).abs() < 1e-15);
         let perpendicular = -0.574_773_0_f64 / 2.174_773_0;
         let parallel = 0.283_484_9_f64 / 2.116_515_1;
-        let expected = (perpendicular.powi(2) + parallel.powi(2)) / 2.0;
+        let expected = (perpendicular * perpendicular + parallel * parallel) / 2.0;
         assert!((reflectance(&glass, 0.8) - expected).abs() < 1e-7);
     }
 

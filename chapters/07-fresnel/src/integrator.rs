@@ -91,7 +91,7 @@ impl<L, const MIRRORS: bool, const GLASS: bool> Integrator<'_, L, MIRRORS, GLASS
     // ANCHOR_END: split
 
     /// What metal reflects.
-    fn from_metal(&self, path: &Path, hit: &Hit, metal: &Metal, inside: Inside) -> Scattered<Path> {
+    fn off_metal(&self, path: &Path, hit: &Hit, metal: &Metal, inside: Inside) -> Scattered<Path> {
         let near = self.index(inside);
         let incidence = Incidence::new(precise(path.ray.direction), hit.normal);
         let color = match self.formula {
@@ -182,13 +182,13 @@ impl<
                 match surface {
                     Surface::Opaque(material) => {
                         let mirror = material.mirror;
-                        self.from_opaque(path, &hit, material, mirror, inside, tally)
+                        self.off_opaque(path, &hit, material, mirror, inside, tally)
                     }
                     Surface::Polished(material) => {
                         let mirror = polished(path, &hit, material.mirror);
-                        self.from_opaque(path, &hit, material, mirror, inside, tally)
+                        self.off_opaque(path, &hit, material, mirror, inside, tally)
                     }
-                    Surface::Metal(metal) => self.from_metal(path, &hit, metal, inside),
+                    Surface::Metal(metal) => self.off_metal(path, &hit, metal, inside),
                     // Only its interfaces are met, and only where glass is simulated.
                     Surface::Glass(_) => Scattered::only(Color::ZERO),
                 }
@@ -206,7 +206,7 @@ impl<
 > Integrator<'_, Lit<SHADING, DETAILS, SHADOWS>, MIRRORS, GLASS>
 {
     /// What an opaque surface sends of lamps, and its mirror's ray.
-    fn from_opaque<T: Tally>(
+    fn off_opaque<T: Tally>(
         &self,
         path: &Path,
         hit: &Hit,

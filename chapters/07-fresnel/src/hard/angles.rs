@@ -106,7 +106,8 @@ fn is_not_entering(leaving: &Interface, cosine: f32, found: f64) -> bool {
     let sine = leaving.ratio() * (1.0 - cosine * cosine).sqrt();
     let outside = (1.0 - sine * sine).max(0.0).sqrt();
     let straight = schlick::straight(leaving);
-    let right = straight + (1.0 - straight) * (1.0 - outside).powi(5);
+    let x = 1.0 - outside;
+    let right = straight + (1.0 - straight) * x * x * x * x * x;
     // Near the critical angle the root makes 10⁻⁸ of a rounding of 10⁻¹⁶.
     !((0.0..=1.0).contains(&found) && (found - right).abs() <= 1e-6)
 }

@@ -55,7 +55,7 @@ impl Layers {
         let mut stream = Stream::of_trial(718, trial);
         let normal = direction(&mut stream);
         let (glass, liquid) = (index(&mut stream, 1.4, 2.0), index(&mut stream, 1.2, 1.39));
-        let scale = 10_f32.powi((stream.bits() % 7) as i32 - 3);
+        let scale = [1e-3, 1e-2, 0.1, 1.0, 10.0, 100.0, 1e3][stream.bits() as usize % 7];
 
         // One trial in two touches; the others overlap by less and less.
         let overlap = match stream.bits() % 60 {
