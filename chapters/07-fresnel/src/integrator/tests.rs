@@ -108,7 +108,7 @@ fn one_way_by_chance_has_the_right_mean() {
     let both = Picture { limits, ..picture(&stage) };
     let (truth, _) = draw::<Off>(&both, Simulate::Needed, &settings);
     let one = Picture { branching: Branching::One, ..both };
-    let mut sums = vec![[0.0_f64; 2]; 12];
+    let mut sums = [[0.0_f64; 2]; 12];
     let rounds = 4000;
     for seed in 0..rounds {
         let settings = Settings { seed, threads: 1, ..settings.clone() };

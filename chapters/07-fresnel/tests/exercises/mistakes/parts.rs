@@ -67,8 +67,11 @@ pub(crate) fn of_reflectance() -> Vec<Mistake<Surface, f32>> {
 /// Schlick's polynomial of any cosine.
 fn polynomial(&Surface { near, far, .. }: &Surface, cosine: f32) -> f32 {
     let straight = ((near - far) / (near + far)) * ((near - far) / (near + far));
-    let x = 1.0 - cosine;
-    straight + (1.0 - straight) * x * x * x * x * x
+    straight + (1.0 - straight) * fifth_power(1.0 - cosine)
+}
+
+fn fifth_power(x: f32) -> f32 {
+    x * x * x * x * x
 }
 
 pub(crate) fn of_schlick() -> Vec<Mistake<Surface, f32>> {
@@ -100,8 +103,7 @@ pub(crate) fn of_schlick() -> Vec<Mistake<Surface, f32>> {
             answer: |it| {
                 let straight = polynomial(it, 1.0);
                 let cosine = solutions::far_cosine(it).map(|beyond| beyond.min(it.cosine));
-                let power = |cosine: f32| (1.0 - cosine).powi(5);
-                cosine.map_or(1.0, |cosine| straight + power(cosine))
+                cosine.map_or(1.0, |cosine| straight + fifth_power(1.0 - cosine))
             },
         },
         Mistake {
@@ -111,8 +113,7 @@ pub(crate) fn of_schlick() -> Vec<Mistake<Surface, f32>> {
             answer: |it| {
                 let straight = polynomial(it, 1.0).sqrt();
                 let cosine = solutions::far_cosine(it).map(|beyond| beyond.min(it.cosine));
-                let power = |cosine: f32| (1.0 - cosine).powi(5);
-                cosine.map_or(1.0, |cosine| straight + (1.0 - straight) * power(cosine))
+                cosine.map_or(1.0, |cosine| straight + (1.0 - straight) * fifth_power(1.0 - cosine))
             },
         },
     ]
