@@ -91,31 +91,35 @@ impl<L, const MIRRORS: bool, const GLASS: bool> Integrator<'_, L, MIRRORS, GLASS
     // ANCHOR_END: split
 
     /// What metal reflects.
-    fn off_metal(&self, path: &Path, hit: &Hit, metal: &Metal, inside: Inside) -> Scattered<Path> {
-        let near = self.index(inside);
-        let incidence = Incidence::new(precise(path.ray.direction), hit.normal);
+    fn off_metal(&self, met: &Place, metal: &Metal) -> Scattered<Path> {
+        let near = self.index(met.inside);
         let color = match self.formula {
-            Formula::Exact => metal.reflectance(near, incidence.cosine),
-            Formula::Schlick => metal.schlick(near, incidence.cosine),
+            Formula::Exact => metal.reflectance(near, met.cosine()),
+            Formula::Schlick => metal.schlick(near, met.cosine()),
         };
-        Scattered::with(Color::ZERO, self.mirrored(path, hit, color, inside))
+        Scattered::with(Color::ZERO, self.mirrored(met, color))
     }
 
     /// The mirror's ray of a surface that returns `color`.
-    fn mirrored(
-        &self,
-        path: &Path,
-        hit: &Hit,
-        color: Color,
-        inside: Inside,
-    ) -> Option<Branch<Path>> {
+    fn mirrored(&self, met: &Place, color: Color) -> Option<Branch<Path>> {
         if !MIRRORS || color == Color::ZERO {
             return None;
         }
+        let Place { path, hit, inside } = *met;
         let ray = mirror::mirrored(&path.ray, hit)?;
         let direction = if GLASS { precise(ray.direction) } else { DVec3::ZERO };
         let path = Path { ray, direction, inside, bounce: path.bounce + 1, ..*path };
         Some(Branch { ray: path, weight: color, event: MIRROR_RAYS })
+    }
+
+    /// What the path meets first: where no glass is simulated, a surface.
+    fn meet<T: Tally>(&self, path: &Path, tally: &mut T) -> Option<Met<'_>> {
+        if GLASS {
+            return next(self.scene, &path.ray, path.inside, tally);
+        }
+        let found = self.scene.nearest(&path.ray, tally)?;
+        let surface = &found.object.material;
+        Some(Met::Surface { hit: found.hit, surface, inside: path.inside })
     }
 
     fn index(&self, inside: Inside) -> Index {
@@ -142,12 +146,6 @@ fn branch(ray: Path, part: f32, event: Event) -> Option<Branch<Path>> {
     Some(Branch { ray, weight: Color::splat(part), event })
 }
 
-/// What a polished surface mirrors: `mirror` of light that comes straight, all that grazes.
-fn polished(path: &Path, hit: &Hit, mirror: Color) -> Color {
-    let cosine = Incidence::new(precise(path.ray.direction), hit.normal).cosine;
-    mirror.as_dvec3().map(|straight| schlick::polynomial(straight, cosine)).as_vec3()
-}
-
 impl<
     const SHADING: bool,
     const DETAILS: bool,
@@ -158,42 +156,44 @@ impl<
 {
     type Ray = Path;
 
+    // ANCHOR: scatter
+    #[inline]
     fn scatter<T: Tally>(&self, path: &Path, tally: &mut T) -> Scattered<Path> {
-        let met = if GLASS {
-            next(self.scene, &path.ray, path.inside, tally)
-        } else {
-            self.scene.nearest(&path.ray, tally).map(|found| Met::Surface {
-                hit: found.hit,
-                surface: &found.object.material,
-                inside: path.inside,
-            })
-        };
-        match met {
+        match self.meet(path, tally) {
             None => Scattered::only(self.background()),
-            Some(Met::Interface { hit, interface, sides }) => Scattered {
-                light: Color::ZERO,
-                branches: {
-                    let hit = detailed::<DETAILS, T>(&hit, tally);
-                    self.split(path, &hit, &interface, sides, tally)
-                },
-            },
+            Some(Met::Interface { hit, interface, sides }) => {
+                let hit = detailed::<DETAILS, T>(&hit, tally);
+                let branches = self.split(path, &hit, &interface, sides, tally);
+                Scattered { light: Color::ZERO, branches }
+            }
             Some(Met::Surface { hit, surface, inside }) => {
                 let hit = detailed::<DETAILS, T>(&hit, tally);
+                let met = Place { path, hit: &hit, inside };
                 match surface {
-                    Surface::Opaque(material) => {
-                        let mirror = material.mirror;
-                        self.off_opaque(path, &hit, material, mirror, inside, tally)
-                    }
-                    Surface::Polished(material) => {
-                        let mirror = polished(path, &hit, material.mirror);
-                        self.off_opaque(path, &hit, material, mirror, inside, tally)
-                    }
-                    Surface::Metal(metal) => self.off_metal(path, &hit, metal, inside),
+                    Surface::Opaque(material) => self.off_opaque(&met, material, tally),
+                    Surface::Polished(material) => self.off_polished(&met, material, tally),
+                    Surface::Metal(metal) => self.off_metal(&met, metal),
                     // Only its interfaces are met, and only where glass is simulated.
                     Surface::Glass(_) => Scattered::only(Color::ZERO),
                 }
             }
         }
+    }
+    // ANCHOR_END: scatter
+}
+
+/// Where a path meets an opaque surface.
+struct Place<'a> {
+    path: &'a Path,
+    hit: &'a Hit,
+    /// The bodies around the surface.
+    inside: Inside,
+}
+
+impl Place<'_> {
+    /// The cosine of the angle at which the path comes.
+    fn cosine(&self) -> f64 {
+        Incidence::new(precise(self.path.ray.direction), self.hit.normal).cosine
     }
 }
 
@@ -208,18 +208,29 @@ impl<
     /// What an opaque surface sends of lamps, and its mirror's ray.
     fn off_opaque<T: Tally>(
         &self,
-        path: &Path,
-        hit: &Hit,
+        met: &Place,
         material: &Mirrored,
-        mirror: Color,
-        inside: Inside,
         tally: &mut T,
     ) -> Scattered<Path> {
-        let Self { scene, unseen, .. } = *self;
+        let (scene, unseen) = (self.scene, self.unseen);
+        let Place { path, hit, inside } = *met;
         let seen = Seen { scene, hit, toward_eye: -path.ray.direction, inside, unseen };
         let sent = Lit::<SHADING, DETAILS, SHADOWS>::sent(&seen, material, tally);
         let light = self.seen_from_eye(sent, inside);
-        Scattered::with(light, self.mirrored(path, hit, mirror, inside))
+        Scattered::with(light, self.mirrored(met, material.mirror))
+    }
+
+    /// The same for a polished one, which mirrors more the lower the light comes.
+    fn off_polished<T: Tally>(
+        &self,
+        met: &Place,
+        material: &Mirrored,
+        tally: &mut T,
+    ) -> Scattered<Path> {
+        let cosine = met.cosine();
+        let part = |straight| schlick::polynomial(straight, cosine);
+        let mirror = material.mirror.as_dvec3().map(part).as_vec3();
+        self.off_opaque(met, &Mirrored { mirror, ..*material }, tally)
     }
 
     /// The radiance that a camera's ray brings.
