@@ -5,6 +5,7 @@ use common::chapter::Entry;
 use fresnel::command::Fresnel;
 use object_order::command::ObjectOrder;
 use ray_casting::command::RayCasting;
+use shadows::command::Shadows;
 use triangles::command::Triangles;
 use whitted::command::Whitted;
 
@@ -14,6 +15,7 @@ pub const CHAPTERS: &[Entry] = &[
     Entry::of::<Triangles>(),
     Entry::of::<ObjectOrder>(),
     Entry::of::<LitScenes>(),
+    Entry::of::<Shadows>(),
     Entry::of::<Whitted>(),
     Entry::of::<Fresnel>(),
 ];

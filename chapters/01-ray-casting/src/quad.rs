@@ -66,7 +66,7 @@ impl Quad {
 
 /// How far the tip of `edge` is from a plane through its other end, a little rounded up.
 fn height(edge: Vec3, normal: Vec3) -> f32 {
-    (1.000_001 * edge.as_dvec3().dot(normal.as_dvec3()).abs()) as f32
+    (1.000_01 * edge.as_dvec3().dot(normal.as_dvec3()).abs()) as f32
 }
 
 /// The vector along `across` whose dot product with `edge` is 1.

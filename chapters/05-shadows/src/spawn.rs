@@ -28,12 +28,15 @@ pub(crate) fn spawn_far(hit: &Hit, direction: Vec3, distance: f32) -> Vec3 {
 }
 
 // ANCHOR: leave
-/// The point of `hit`, moved `distance` along the surface's own normal to the side of `direction`.
+/// The point of `hit`, moved `distance` or a little more along the surface's own normal to the side
+/// of `direction`.
 fn leave(hit: &Hit, direction: Vec3, distance: f32) -> Vec3 {
-    let outward = hit.geometric.dot(direction) >= 0.0;
-    let offset = if outward { distance } else { -distance } * hit.geometric;
+    let normal = hit.geometric;
+    let outward = normal.dot(direction) >= 0.0;
+    let offset = if outward { ENOUGH * distance } else { -ENOUGH * distance } * normal;
     let moved = hit.point + offset;
     let away = |axis: usize| match offset[axis] {
+        _ if normal[axis].abs() < ASIDE => moved[axis],
         // The sum was rounded, maybe backwards; one step further it is not.
         step if step > 0.0 => moved[axis].next_up(),
         step if step < 0.0 => moved[axis].next_down(),
@@ -41,6 +44,13 @@ fn leave(hit: &Hit, direction: Vec3, distance: f32) -> Vec3 {
     };
     Vec3::new(away(0), away(1), away(2))
 }
+
+/// An axis that the normal leans to by less than this has less than a thousandth of the offset. A
+/// step there may be large, and would lead along the surface instead of away from it.
+const ASIDE: f32 = 1.0 / 32.0;
+
+/// What makes up for the parts of two such axes.
+const ENOUGH: f32 = 1.0 + 1.0 / 256.0;
 // ANCHOR_END: leave
 
 #[cfg(test)]
