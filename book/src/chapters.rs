@@ -2,10 +2,12 @@
 
 use blinn_phong::command::LitScenes;
 use common::chapter::Entry;
+use fresnel::command::Fresnel;
 use object_order::command::ObjectOrder;
 use ray_casting::command::RayCasting;
 use shadows::command::Shadows;
 use triangles::command::Triangles;
+use whitted::command::Whitted;
 
 /// Every chapter; a new one is added at the end.
 pub const CHAPTERS: &[Entry] = &[
@@ -14,6 +16,8 @@ pub const CHAPTERS: &[Entry] = &[
     Entry::of::<ObjectOrder>(),
     Entry::of::<LitScenes>(),
     Entry::of::<Shadows>(),
+    Entry::of::<Whitted>(),
+    Entry::of::<Fresnel>(),
 ];
 
 /// The chapter that a reader calls `name`: "1", "01", "01-ray-casting" or "ray-casting".

@@ -4,7 +4,8 @@
 //! the compiler removes; with [`Counts`] it is one addition. So counting costs nothing when it is
 //! off, and nobody writes a loop twice (`cargo bench -p common` shows both).
 
-/// A kind of work that is counted, such as "triangle tests".
+/// A kind of work that is counted, such as "triangle tests", or a record that is kept, such as "the
+/// deepest ray".
 ///
 /// A chapter declares its own events as constants; each has a slot of its own.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -14,7 +15,9 @@ pub struct Event {
 }
 
 const PER_CHAPTER: usize = 8;
-const SLOTS: usize = 32 * PER_CHAPTER;
+/// Slots below this one are sums; the others, as many again, are records.
+const RECORDS: usize = 32 * PER_CHAPTER;
+const SLOTS: usize = 2 * RECORDS;
 
 impl Event {
     /// The event number `index` (0 to 7) of chapter `chapter` (0 to 31; 0 is for `common`).
@@ -23,8 +26,15 @@ impl Event {
     pub const fn new(chapter: usize, index: usize, name: &'static str) -> Self {
         assert!(index < PER_CHAPTER);
         let slot = chapter * PER_CHAPTER + index;
-        assert!(slot < SLOTS);
+        assert!(slot < RECORDS);
         Self { slot, name }
+    }
+
+    /// The record number `index` (0 to 7) of chapter `chapter`: counting it keeps the largest number
+    /// that was ever counted instead of the sum.
+    pub const fn record(chapter: usize, index: usize, name: &'static str) -> Self {
+        let Self { slot, name } = Self::new(chapter, index, name);
+        Self { slot: RECORDS + slot, name }
     }
 
     /// The key in `--json`.
@@ -35,15 +45,15 @@ impl Event {
 
 /// Something that counts events, or doesn't.
 pub trait Tally: Default + Send {
-    /// Counts `event` `times` times.
+    /// Counts `event` `times` times; raises a record to `times`.
     fn count(&mut self, event: Event, times: u64);
 
     /// The counters, when there are any. A `dyn` object can't be generic over its tally; it takes
     /// these instead (see `ray_casting::Shape`).
     fn counts(&mut self) -> Option<&mut Counts>;
 
-    /// Adds what another part of the work counted. Sums of integers come out the same in any
-    /// order, so counters don't depend on the number of threads.
+    /// Adds what another part of the work counted. Sums of integers and their maxima come out the
+    /// same in any order, so counters don't depend on the number of threads.
     fn merge(&mut self, other: &Self);
 }
 
@@ -70,7 +80,7 @@ pub struct Counts {
 }
 
 impl Counts {
-    /// How often `event` was counted.
+    /// How often `event` was counted, or the largest number a record was raised to.
     pub fn of(&self, event: Event) -> u64 {
         self.slots[event.slot]
     }
@@ -85,7 +95,8 @@ impl Default for Counts {
 impl Tally for Counts {
     #[inline(always)]
     fn count(&mut self, event: Event, times: u64) {
-        self.slots[event.slot] += times;
+        let slot = &mut self.slots[event.slot];
+        *slot = if event.slot < RECORDS { *slot + times } else { times.max(*slot) };
     }
 
     #[inline(always)]
@@ -94,8 +105,13 @@ impl Tally for Counts {
     }
 
     fn merge(&mut self, other: &Self) {
-        for (slot, more) in self.slots.iter_mut().zip(other.slots.iter()) {
-            *slot += more;
+        let (sums, records) = self.slots.split_at_mut(RECORDS);
+        let (other_sums, other_records) = other.slots.split_at(RECORDS);
+        for (sum, more) in sums.iter_mut().zip(other_sums) {
+            *sum += more;
+        }
+        for (record, other) in records.iter_mut().zip(other_records) {
+            *record = (*record).max(*other);
         }
     }
 }
@@ -121,6 +137,22 @@ mod tests {
         work(&mut right);
         left.merge(&right);
         assert_eq!((left.of(RAYS), left.of(TESTS)), (3, 36));
+    }
+
+    #[test]
+    fn a_record_keeps_the_largest() {
+        const DEEPEST: Event = Event::record(2, 7, "deepest");
+        let mut left = Counts::default();
+        let mut right = Counts::default();
+        for value in [3, 8, 5] {
+            left.count(DEEPEST, value);
+        }
+        right.count(DEEPEST, 7);
+        right.count(TESTS, 2);
+        left.merge(&right);
+        right.merge(&left);
+        assert_eq!([left.of(DEEPEST), right.of(DEEPEST)], [8, 8]);
+        assert_eq!((left.of(TESTS), right.of(TESTS)), (2, 4), "the sum of the same number");
     }
 
     #[test]

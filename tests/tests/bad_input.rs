@@ -94,10 +94,39 @@ const SHADED: [Row; 5] = [
     row("--scene small --eye 1,1,1 --look-at 1,1,1", 2, &["no picture", "two different points"]),
 ];
 
+/// Wrong where rays are followed from mirror to mirror.
+const MIRRORS: [Row; 9] = [
+    row("--depth -1", 2, &["--depth"]),
+    row("--depth nan", 2, &["--depth"]),
+    row("--depth 4294967296", 2, &["--depth"]),
+    row("--cutoff nan", 2, &["--cutoff", "from 0 to below 1"]),
+    row("--cutoff -1", 2, &["--cutoff", "from 0 to below 1"]),
+    row("--cutoff 2", 2, &["--cutoff", "from 0 to below 1"]),
+    row("--cutoff 1", 2, &["--cutoff", "from 0 to below 1"]),
+    row("--trace magic", 2, &["--trace", "recursion"]),
+    row("--trace recursion --depth 1000000", 2, &["stack", "--trace loop"]),
+];
+
+/// Wrong where there is glass.
+const GLASS: [Row; 12] = [
+    row("--index 0", 2, &["--index", "from 0.001 to 1000", "0 is not"]),
+    row("--index -1.5", 2, &["--index", "from 0.001 to 1000"]),
+    row("--index nan", 2, &["--index", "from 0.001 to 1000"]),
+    row("--index inf", 2, &["--index", "from 0.001 to 1000"]),
+    row("--index 1e400", 2, &["--index", "from 0.001 to 1000"]),
+    row("--index glass", 2, &["--index", "a number"]),
+    row("--fresnel magic", 2, &["--fresnel", "schlick"]),
+    row("--branch three", 2, &["--branch", "both"]),
+    row("--depth -1", 2, &["--depth"]),
+    row("--cutoff 1", 2, &["--cutoff", "from 0 to below 1"]),
+    row("--scene dense-mtl.obj", 1, &["dense-mtl.obj", "material star", "Ni", "1000"]),
+    row("--scene no-index-mtl.obj", 1, &["no-index.mtl", "2", "Ni"]),
+];
+
 /// The files of the table. `huge.obj` is 1 TiB of nothing that takes no place on the disk.
 fn files(folder: &Path) {
     let triangle = "v 0 0 0\nv 1 0 0\nv 0 2 0\n";
-    let texts: [(&str, String); 22] = [
+    let texts: [(&str, String); 26] = [
         ("empty.obj", String::new()),
         ("truncated.obj", "v 0 0 0\nv 1 0 0\nv 0 2".into()),
         ("nan.obj", "v 0 0 0\nv 1 nan 0\nv 0 2 0\nf 1 2 3\n".into()),
@@ -117,6 +146,10 @@ fn files(folder: &Path) {
         ("bright.mtl", "newmtl sun\nillum 2\nKd 1 1 1\nKs 1e38 0 0\nNs 5\n".into()),
         ("negative-mtl.obj", format!("mtllib negative.mtl\n{triangle}f 1 2 3\n")),
         ("negative.mtl", "newmtl odd\nKs 0.5 -1 0.5\n".into()),
+        ("dense-mtl.obj", format!("mtllib dense.mtl\n{triangle}usemtl star\nf 1 2 3\n")),
+        ("dense.mtl", "newmtl star\nillum 7\nNi 1e30\n".into()),
+        ("no-index-mtl.obj", format!("mtllib no-index.mtl\n{triangle}f 1 2 3\n")),
+        ("no-index.mtl", "newmtl odd\nNi 0\n".into()),
         ("pentagon.obj", "v 0 0 0\nv 4 0 0\nv 4 4 0\nv 2 1 0\nv 0 4 0\nf 1 2 3 4 5\n".into()),
         ("no-mtl.obj", format!("mtllib gone.mtl\nusemtl gold\n{triangle}f 1 2 3\n")),
         ("negative-good.obj", format!("{triangle}f -3 -2 -1\n")),
@@ -191,6 +224,38 @@ fn lamps_and_materials_that_can_t_be_are_refused() {
     }
     for row in &SHADED {
         refuse("shadows", row, folder.path());
+    }
+}
+
+#[test]
+fn depths_and_cutoffs_that_cannot_be_are_refused() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    for row in &MIRRORS {
+        refuse("whitted", row, folder.path());
+    }
+}
+
+#[test]
+fn glass_that_cannot_be_is_refused() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    files(folder.path());
+    for row in &GLASS {
+        refuse("fresnel", row, folder.path());
+    }
+}
+
+/// The control: a depth of a million, and none, are drawn.
+#[test]
+fn any_depth_is_drawn() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    for line in
+        ["--depth 0", "--depth 1000000", "--depth 4294967295", "--trace recursion --depth 500"]
+    {
+        let line = format!("--scene facing-mirrors --size 16x12 --out deep.png {line}");
+        let arguments: Vec<&str> = line.split(' ').collect();
+        let output = run(&program("whitted"), folder.path(), &arguments);
+        let message = String::from_utf8_lossy(&output.stderr);
+        assert_eq!(output.status.code(), Some(0), "{line}: {message}");
     }
 }
 

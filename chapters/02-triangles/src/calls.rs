@@ -36,11 +36,22 @@ pub fn of_model(mesh: &Mesh, model: &Model) -> Vec<Call> {
     calls
 }
 
+/// Whether a material asks for mirrors, sharp or rough: its illumination model has them, and they
+/// return something.
+pub fn is_mirror(material: &Material) -> bool {
+    material.illumination >= 3 && material.specular.max_element() > 0.0
+}
+
+/// Whether a material asks to be rough, so that what it mirrors is blurred.
+pub fn is_rough(material: &Material) -> bool {
+    material.roughness.is_some_and(|roughness| roughness > 0.0)
+}
+
 /// The effects one material asks for, with what in it asks for them.
 fn wishes(material: &Material) -> Vec<(Effect, &'static str)> {
-    let mirrors = material.illumination >= 3 && material.specular.max_element() > 0.0;
+    let mirrors = is_mirror(material);
     let clear = material.dissolve < 1.0 || [4, 6, 7, 9].contains(&material.illumination);
-    let rough = material.roughness.is_some_and(|roughness| roughness > 0.0);
+    let rough = is_rough(material);
     [
         (true, Effect::LocalShading, "has a colour (Kd)"),
         (mirrors && !rough, Effect::MirrorReflection, "mirrors (illum 3 or more, Ks)"),

@@ -4,6 +4,7 @@ mod files;
 mod shows;
 
 use common::chapter::{Failure, SceneName, unknown_scene};
+use common::obj::Material;
 use common::plan::Call;
 use ray_casting::camera::{Camera, View};
 use ray_casting::shape::Shape;
@@ -48,6 +49,9 @@ pub struct Stage {
     pub calls: Vec<Call>,
     /// What the user should be told of the file.
     pub warnings: Vec<String>,
+    /// What the file says of each object's material, for chapters that understand more of it; empty
+    /// where no file was read.
+    pub records: Vec<Option<Material>>,
 }
 
 impl Stage {
@@ -83,7 +87,7 @@ impl Stage {
         let camera = Camera::new(&scene.view, 1, 1);
         let camera = camera.map_err(|error| Failure::Usage(format!("no picture: {error}")))?;
         let calls = calls::of_scene(&scene, &others);
-        Ok(Self { scene, camera, calls, warnings: Vec::new() })
+        Ok(Self { scene, camera, calls, warnings: Vec::new(), records: Vec::new() })
     }
 
     /// The same stage with its scene changed: seen from elsewhere, lit by other lamps, of other
@@ -93,7 +97,8 @@ impl Stage {
     /// As for [`Stage::new`].
     pub fn changed(mut self, change: impl FnOnce(&mut Scene<BlinnPhong>)) -> Result<Self, Failure> {
         change(&mut self.scene);
-        Ok(Self { warnings: self.warnings, ..Self::new(self.scene, self.calls)? })
+        let Self { scene, calls, warnings, records, .. } = self;
+        Ok(Self { warnings, records, ..Self::new(scene, calls)? })
     }
 
     /// The same stage seen from elsewhere.
@@ -180,5 +185,8 @@ mod tests {
             .collect();
         assert_eq!(shininess, [0.0, 48.0]);
         assert!(effects(&stage).contains(&Effect::AreaLights), "the sign glows");
+        let names: Vec<&str> =
+            stage.records.iter().flatten().map(|record| record.name.as_str()).collect();
+        assert_eq!(names, ["plaster", "sign"]);
     }
 }

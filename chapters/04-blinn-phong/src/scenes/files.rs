@@ -58,15 +58,16 @@ pub(super) fn file(name: &str, mesh_shape: MeshShape) -> Result<Stage, Failure> 
     let lamp = |toward: Vec3, level: f32| Light::far(toward, Color::splat(level)).map_err(no_light);
     let lights = vec![lamp(Vec3::new(-0.4, 1.0, 0.9), 0.9)?, lamp(Vec3::new(1.0, 0.4, 0.1), 0.3)?];
 
-    let mut objects = Vec::new();
+    let (mut objects, mut records) = (Vec::new(), Vec::new());
     for Part { mesh, material } in by_material(&mesh, &material_of) {
-        let material = material.and_then(|number| materials.get(number as usize));
-        let material = material.map_or(Ok(mtl::UNNAMED), mtl::material);
+        let record = material.and_then(|number| materials.get(number as usize));
+        let material = record.map_or(Ok(mtl::UNNAMED), mtl::material);
         let material = material.map_err(|error| Failure::Work(format!("{name}: {error}")))?;
         objects.push(Object { shape: mesh_shape(mesh), material });
+        records.push(record.cloned());
     }
 
     let scene = Scene { objects, lights, ambient: Color::ONE, background: BACKGROUND, view };
-    Ok(Stage { warnings, ..Stage::new(scene, calls)? })
+    Ok(Stage { warnings, records, ..Stage::new(scene, calls)? })
 }
 // ANCHOR_END: file

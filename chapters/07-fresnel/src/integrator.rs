@@ -1,0 +1,261 @@
+//! Following light through a scene of mirrors, metal and glass.
+
+use blinn_phong::scene::Scene;
+use common::film::Color;
+use common::sampler::Sampler;
+use common::tally::{Event, Tally};
+use glam::DVec3;
+use ray_casting::ray::Ray;
+use ray_casting::shape::Hit;
+use whitted::limits::Limits;
+use whitted::material::Mirrored;
+use whitted::mirror::{self, MIRROR_RAYS};
+use whitted::scatter::{Branch, Scatter, Scattered};
+use whitted::world::detailed;
+
+use crate::bend::{Bent, Incidence, Refracted, bent, precise};
+use crate::conductor::Metal;
+use crate::dielectric;
+use crate::glass::Surface;
+use crate::index::Index;
+use crate::inside::Inside;
+use crate::interface::Interface;
+use crate::passage::{Met, index, next};
+use crate::path::{Branching, Formula, Path};
+use crate::schlick;
+use crate::shade::{Lit, Seen, Sent};
+
+/// Rays that an interface reflects.
+pub const REFLECTED: Event = Event::new(7, 0, "reflected_rays");
+/// Rays followed through an interface.
+pub const REFRACTED: Event = Event::new(7, 1, "refracted_rays");
+/// Rays that met an interface and could not pass.
+pub const TOTAL_REFLECTIONS: Event = Event::new(7, 2, "total_reflections");
+
+/// A scene, and how light is followed through it.
+pub struct Integrator<'a, L, const MIRRORS: bool, const GLASS: bool> {
+    /// The scene.
+    pub scene: &'a Scene<Surface>,
+    /// How much is reflected.
+    pub formula: Formula,
+    /// What becomes of two rays.
+    pub branching: Branching,
+    /// The bodies around the eye.
+    pub around_eye: Inside,
+    /// Whether the scene has glass that may be no interface.
+    pub unseen: bool,
+    /// What light of lamps is simulated.
+    pub lit: L,
+}
+
+impl<L, const MIRRORS: bool, const GLASS: bool> Integrator<'_, L, MIRRORS, GLASS> {
+    /// The path of a camera ray.
+    pub fn first(&self, ray: Ray, sampler: &Sampler) -> Path {
+        let direction = if GLASS { precise(ray.direction) } else { DVec3::ZERO };
+        Path { ray, direction, inside: self.around_eye, bounce: 0, sampler: *sampler }
+    }
+
+    // ANCHOR: split
+    /// The two rays that leave an interface: what it reflects, and what it lets through.
+    ///
+    /// What is followed is radiance divided by n². Refraction changes radiance by just that
+    /// square, so nothing has to be scaled here: the parts add up to 1.
+    fn split<T: Tally>(
+        &self,
+        path: &Path,
+        hit: &Hit,
+        interface: &Interface,
+        [near, far]: [Inside; 2],
+        tally: &mut T,
+    ) -> [Option<Branch<Path>>; 2] {
+        let Bent { incidence, reflected, refracted, side } = bent(path.direction, hit, interface);
+        let reflected = path.at(hit, reflected, side, near);
+        let Some(Refracted { cosine, direction }) = refracted else {
+            tally.count(TOTAL_REFLECTIONS, 1);
+            return [branch(reflected, 1.0, REFLECTED), None];
+        };
+        let refracted = path.at(hit, direction, -side, far);
+        let part = match self.formula {
+            Formula::Exact => dielectric::between(interface, incidence.cosine, cosine),
+            Formula::Schlick => schlick::between(interface, incidence.cosine, cosine),
+        } as f32;
+        match self.branching {
+            Branching::Both => {
+                [branch(reflected, part, REFLECTED), branch(refracted, 1.0 - part, REFRACTED)]
+            }
+            // Chosen as often as it counts, it counts in full.
+            Branching::One if path.chance() < part => [branch(reflected, 1.0, REFLECTED), None],
+            Branching::One => [branch(refracted, 1.0, REFRACTED), None],
+        }
+    }
+    // ANCHOR_END: split
+
+    /// What metal reflects.
+    fn off_metal(&self, met: &Place, metal: &Metal) -> Scattered<Path> {
+        let near = self.index(met.inside);
+        let color = match self.formula {
+            Formula::Exact => metal.reflectance(near, met.cosine()),
+            Formula::Schlick => metal.schlick(near, met.cosine()),
+        };
+        Scattered::with(Color::ZERO, self.mirrored(met, color))
+    }
+
+    /// The mirror's ray of a surface that returns `color`.
+    fn mirrored(&self, met: &Place, color: Color) -> Option<Branch<Path>> {
+        if !MIRRORS || color == Color::ZERO {
+            return None;
+        }
+        let Place { path, hit, inside } = *met;
+        let ray = mirror::mirrored(&path.ray, hit)?;
+        let direction = if GLASS { precise(ray.direction) } else { DVec3::ZERO };
+        let path = Path { ray, direction, inside, bounce: path.bounce + 1, ..*path };
+        Some(Branch { ray: path, weight: color, event: MIRROR_RAYS })
+    }
+
+    /// What the path meets first: where no glass is simulated, a surface.
+    fn meet<T: Tally>(&self, path: &Path, tally: &mut T) -> Option<Met<'_>> {
+        if GLASS {
+            return next(self.scene, &path.ray, path.inside, tally);
+        }
+        let found = self.scene.nearest(&path.ray, tally)?;
+        let surface = &found.object.material;
+        Some(Met::Surface { hit: found.hit, surface, inside: path.inside })
+    }
+
+    fn index(&self, inside: Inside) -> Index {
+        if GLASS { index(self.scene, inside) } else { Index::AIR }
+    }
+
+    // ANCHOR: seen
+    /// What is seen from the eye of light that a surface sends into the medium around it.
+    ///
+    /// Radiance / n² is what stays on the way, so lamps' light counts (n_eye / n)² times. Light
+    /// from everywhere is n² times as strong in the medium as in air, and that cancels.
+    fn seen_from_eye(&self, sent: Sent, inside: Inside) -> Color {
+        if !GLASS {
+            return sent.ambient + sent.lamps;
+        }
+        let [eye, here] = [self.around_eye, inside].map(|inside| self.index(inside).number());
+        let (ambient, lamps) = (eye * eye, (eye / here) * (eye / here));
+        ambient as f32 * sent.ambient + lamps as f32 * sent.lamps
+    }
+    // ANCHOR_END: seen
+}
+
+fn branch(ray: Path, part: f32, event: Event) -> Option<Branch<Path>> {
+    Some(Branch { ray, weight: Color::splat(part), event })
+}
+
+impl<
+    const SHADING: bool,
+    const DETAILS: bool,
+    const SHADOWS: bool,
+    const MIRRORS: bool,
+    const GLASS: bool,
+> Scatter for Integrator<'_, Lit<SHADING, DETAILS, SHADOWS>, MIRRORS, GLASS>
+{
+    type Ray = Path;
+
+    // ANCHOR: scatter
+    #[inline]
+    fn scatter<T: Tally>(&self, path: &Path, tally: &mut T) -> Scattered<Path> {
+        match self.meet(path, tally) {
+            None => Scattered::only(self.background()),
+            Some(Met::Interface { hit, interface, sides }) => {
+                let hit = detailed::<DETAILS, T>(&hit, tally);
+                let branches = self.split(path, &hit, &interface, sides, tally);
+                Scattered { light: Color::ZERO, branches }
+            }
+            Some(Met::Surface { hit, surface, inside }) => {
+                let hit = detailed::<DETAILS, T>(&hit, tally);
+                let met = Place { path, hit: &hit, inside };
+                match surface {
+                    Surface::Opaque(material) => self.off_opaque(&met, material, tally),
+                    Surface::Polished(material) => self.off_polished(&met, material, tally),
+                    Surface::Metal(metal) => self.off_metal(&met, metal),
+                    // Only its interfaces are met, and only where glass is simulated.
+                    Surface::Glass(_) => Scattered::only(Color::ZERO),
+                }
+            }
+        }
+    }
+    // ANCHOR_END: scatter
+}
+
+/// Where a path meets an opaque surface.
+struct Place<'a> {
+    path: &'a Path,
+    hit: &'a Hit,
+    /// The bodies around the surface.
+    inside: Inside,
+}
+
+impl Place<'_> {
+    /// The cosine of the angle at which the path comes.
+    fn cosine(&self) -> f64 {
+        Incidence::new(precise(self.path.ray.direction), self.hit.normal).cosine
+    }
+}
+
+impl<
+    const SHADING: bool,
+    const DETAILS: bool,
+    const SHADOWS: bool,
+    const MIRRORS: bool,
+    const GLASS: bool,
+> Integrator<'_, Lit<SHADING, DETAILS, SHADOWS>, MIRRORS, GLASS>
+{
+    /// What an opaque surface sends of lamps, and its mirror's ray.
+    fn off_opaque<T: Tally>(
+        &self,
+        met: &Place,
+        material: &Mirrored,
+        tally: &mut T,
+    ) -> Scattered<Path> {
+        let (scene, unseen) = (self.scene, self.unseen);
+        let Place { path, hit, inside } = *met;
+        let seen = Seen { scene, hit, toward_eye: -path.ray.direction, inside, unseen };
+        let sent = Lit::<SHADING, DETAILS, SHADOWS>::sent(&seen, material, tally);
+        let light = self.seen_from_eye(sent, inside);
+        Scattered::with(light, self.mirrored(met, material.mirror))
+    }
+
+    /// The same for a polished one, which mirrors more the lower the light comes.
+    fn off_polished<T: Tally>(
+        &self,
+        met: &Place,
+        material: &Mirrored,
+        tally: &mut T,
+    ) -> Scattered<Path> {
+        let cosine = met.cosine();
+        let part = |straight| schlick::polynomial(straight, cosine);
+        let mirror = material.mirror.as_dvec3().map(part).as_vec3();
+        self.off_opaque(met, &Mirrored { mirror, ..*material }, tally)
+    }
+
+    /// The radiance that a camera's ray brings.
+    #[inline]
+    pub fn radiance<T: Tally>(
+        &self,
+        limits: &Limits,
+        ray: Ray,
+        sampler: &Sampler,
+        tally: &mut T,
+    ) -> Color {
+        let path = self.first(ray, sampler);
+        if MIRRORS || GLASS {
+            limits.trace(self, path, tally)
+        } else {
+            self.scatter(&path, tally).light
+        }
+    }
+
+    /// The radiance behind everything, which is in air.
+    fn background(&self) -> Color {
+        let eye = self.index(self.around_eye).number();
+        (eye * eye) as f32 * self.scene.background
+    }
+}
+
+#[cfg(test)]
+mod tests;
