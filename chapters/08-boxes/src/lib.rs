@@ -1,0 +1,5 @@
+//! Chapter 8: boxes around things.
+
+pub mod aabb;
+pub mod bounded;
+pub mod slab;

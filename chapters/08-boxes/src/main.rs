@@ -1,0 +1,3 @@
+//! Chapter 8's program: `cargo run --release -p boxes`.
+
+fn main() {}
