@@ -12,6 +12,10 @@ pub const CELL_STEPS: Event = Event::new(9, 0, "cell_steps");
 /// Nodes of a tree that a ray was in, leaves included.
 pub const NODE_VISITS: Event = Event::new(9, 1, "node_visits");
 
+/// How often a structure stores a triangle at most, on average, whatever the triangles are. Where
+/// cutting on would take more, it isn't done: memory has an end, and slow is better than none.
+pub const MOST_COPIES: f32 = 8.0;
+
 // ANCHOR: accelerator
 /// Triangles, arranged so that a ray is tested against few of them.
 ///

@@ -130,7 +130,7 @@ impl AnyHit {
 impl Question for AnyHit {
     #[inline]
     fn ask(&mut self, triangle: &Stored) {
-        self.hit = self.ray.hit(&triangle.corners, self.bound).is_some();
+        self.hit = self.hit || self.ray.hit(&triangle.corners, self.bound).is_some();
     }
 
     #[inline]

@@ -1,0 +1,72 @@
+//! A k-d tree: space cut in two across an axis, and each part again.
+//!
+//! Bentley, "Multidimensional Binary Search Trees Used for Associative Searching" (Communications
+//! of the ACM 18(9), 1975).
+
+use common::tally::Tally;
+use glam::Vec3;
+use ray_casting::ray::Ray;
+
+use crate::accelerator::{Accelerator, Statistics};
+use crate::leaf::Question;
+use crate::median::median;
+use crate::plane_tree::PlaneTree;
+use crate::plant::{Cell, Plane, plant};
+use crate::surface_area::cheapest;
+
+// ANCHOR: kd
+/// A k-d tree: by the medians of triangles, or by surface area.
+#[derive(Clone, Debug)]
+pub struct KdTree(PlaneTree<3>);
+
+/// Where a k-d tree's planes are put.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "native", derive(clap::ValueEnum))]
+pub enum Split {
+    /// Half of the triangles on each side, across the cell's longest side.
+    Median,
+    /// Where tests are expected to be fewest, by surface area.
+    #[default]
+    Sah,
+}
+
+impl KdTree {
+    /// The tree with its planes put where `split` says.
+    pub fn with_split(triangles: &[[Vec3; 3]], split: Split) -> Self {
+        let choose = match split {
+            Split::Median => by_median,
+            Split::Sah => cheapest,
+        };
+        Self(plant(triangles, Vec3::AXES, |_| Vec3::ZERO, choose))
+    }
+}
+// ANCHOR_END: kd
+
+// ANCHOR: median
+/// The most triangles that are left together where planes are put by medians.
+pub const FEW: usize = 4;
+
+/// The median across the cell's longest side.
+fn by_median(cell: &Cell<3>) -> Option<Plane> {
+    if cell.members.len() <= FEW {
+        return None;
+    }
+    let length = |direction: &usize| cell.extent[*direction].high - cell.extent[*direction].low;
+    let direction = (0..3).max_by(|one, other| length(one).total_cmp(&length(other)))?;
+    Some(Plane { direction, place: median(cell, direction) })
+}
+// ANCHOR_END: median
+
+impl Accelerator for KdTree {
+    fn build(triangles: Vec<[Vec3; 3]>) -> Self {
+        Self::with_split(&triangles, Split::default())
+    }
+
+    fn walk<Q: Question, T: Tally>(&self, ray: &Ray, question: &mut Q, tally: &mut T) {
+        self.0.walk(ray, question, tally);
+    }
+
+    fn statistics(&self) -> Statistics {
+        self.0.statistics()
+    }
+}
