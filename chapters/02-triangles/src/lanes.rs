@@ -15,9 +15,9 @@ use crate::watertight::ShearedRay;
 pub const LANES: usize = 4;
 
 // ANCHOR: pack
-/// Triangles that are asked together.
+/// Up to four triangles that are asked together.
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct Pack {
+pub struct Pack {
     /// The four triangles' corners a, then b, then c: of each the four x, the four y, the four z.
     corners: [[Vec4; 3]; 3],
 }
@@ -59,7 +59,7 @@ impl Packed {
         let mut nearest = None;
         let mut limit = t_max;
         for (pack, first) in self.packs.iter().zip((0..).step_by(LANES)) {
-            if pack.all_missed(&four_rays) {
+            if pack.candidates(&four_rays) == 0 {
                 continue;
             }
             for (index, corners) in (first..).zip(self.corners[first..].iter().take(LANES)) {
@@ -75,8 +75,9 @@ impl Packed {
 }
 
 impl Pack {
-    /// Up to [`LANES`] triangles; where there are fewer, the first fills the rest.
-    fn new(triangles: &[[Vec3; 3]]) -> Self {
+    /// The first [`LANES`] of these triangles, of which there must be one; where there are fewer,
+    /// the first fills the rest.
+    pub fn new(triangles: &[[Vec3; 3]]) -> Self {
         let lane = |lane: usize| triangles.get(lane).unwrap_or(&triangles[0]);
         let four =
             |corner: usize, axis: usize| Vec4::from([0, 1, 2, 3].map(|at| lane(at)[corner][axis]));
@@ -84,22 +85,36 @@ impl Pack {
         Self { corners }
     }
 
-    // ANCHOR: all_missed
-    /// Whether edge functions of different signs prove for each triangle that the ray misses it.
+    /// The corners of one of the triangles.
+    pub fn triangle(&self, lane: usize) -> [Vec3; 3] {
+        self.corners.map(|corner| Vec3::from(corner.map(|four| four[lane])))
+    }
+
+    /// The corners of one of the triangles in the ray's coordinates, as [`ShearedRay::measure`]
+    /// wants them.
     #[inline]
-    fn all_missed(&self, ray: &FourRays) -> bool {
+    pub fn sheared(&self, lane: usize, ray: &FourRays) -> [Vec3; 3] {
+        self.corners.each_ref().map(|corner| ray.shear_one(corner, lane))
+    }
+
+    // ANCHOR: candidates
+    /// The triangles that the ray may hit, a bit for each, the lowest for the first. Of the others
+    /// edge functions of different signs prove that it misses them.
+    #[inline]
+    pub fn candidates(&self, ray: &FourRays) -> u32 {
         let [a, b, c] = &self.corners;
         let (a, b, c) = (ray.shear(a), ray.shear(b), ray.shear(c));
         let (u, v, w) = (edge(&b, &c), edge(&c, &a), edge(&a, &b));
         let negative = u.cmplt(Vec4::ZERO) | v.cmplt(Vec4::ZERO) | w.cmplt(Vec4::ZERO);
         let positive = u.cmpgt(Vec4::ZERO) | v.cmpgt(Vec4::ZERO) | w.cmpgt(Vec4::ZERO);
-        (negative & positive).all()
+        (!(negative & positive)).bitmask()
     }
-    // ANCHOR_END: all_missed
+    // ANCHOR_END: candidates
 }
 
 /// One ray, in each lane.
-struct FourRays {
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FourRays {
     order: [usize; 3],
     origin: [Vec4; 3],
     shear: [Vec4; 2],
@@ -112,11 +127,21 @@ struct FourPoints {
 }
 
 impl FourRays {
-    fn new(ray: &ShearedRay) -> Self {
+    /// The ray four times.
+    #[inline]
+    pub fn new(ray: &ShearedRay) -> Self {
         let order = ray.longest.order();
         let origin = order.map(|axis| Vec4::splat(ray.origin[axis]));
         let shear = [Vec4::splat(ray.shear.x), Vec4::splat(ray.shear.y)];
         Self { order, origin, shear }
+    }
+
+    /// What [`Self::shear`] does, for one lane.
+    #[inline]
+    fn shear_one(&self, corner: &[Vec4; 3], lane: usize) -> Vec3 {
+        let [x, y, z] = self.order.map(|axis| corner[axis].as_ref()[lane]);
+        let [x, y, depth] = [x - self.origin[0].x, y - self.origin[1].x, z - self.origin[2].x];
+        Vec3::new(x - self.shear[0].x * depth, y - self.shear[1].x * depth, depth)
     }
 
     #[inline]
