@@ -51,6 +51,11 @@ pub trait Chapter {
     /// Makes the scene called `name`, or reads it from the file `name`.
     fn build(name: &str, knobs: &Self::Knobs) -> Result<Self::Scene, Failure>;
 
+    /// What the reader should be told of the scene's files; nothing when all is well.
+    fn warnings(_scene: &Self::Scene) -> &[String] {
+        &[]
+    }
+
     /// The effects the scene calls for.
     fn calls(scene: &Self::Scene, knobs: &Self::Knobs) -> Vec<Call>;
 

@@ -165,6 +165,12 @@ fn odd_meshes_that_are_right_are_drawn() {
             let message = String::from_utf8_lossy(&output.stderr);
             assert_eq!(output.status.code(), Some(0), "{scene}: {message}");
             assert_eq!(message.contains("gone.mtl"), scene == "no-mtl.obj", "{scene}: {message}");
+            let quiet = run(
+                &program(chapter.package()),
+                folder.path(),
+                &[&line[..], &["--quiet"]].concat(),
+            );
+            assert!(quiet.stdout.is_empty() && quiet.stderr.is_empty(), "{scene}: {quiet:?}");
         }
     }
 }
@@ -182,13 +188,14 @@ fn a_full_disk_is_told() {
     }
 }
 
-/// Runs a program whose standard output nobody reads.
+/// Runs a program whose standard output nobody reads: the reading end is closed before it starts, so
+/// not even its first line can slip through.
 fn unread(package: &str, arguments: &[&str], folder: &Path) -> Output {
+    let (reader, writer) = std::io::pipe().expect("a pipe");
+    drop(reader);
     let mut command = Command::new(program(package));
     command.args(arguments).current_dir(folder).stdin(Stdio::null());
-    let mut child =
-        command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().expect("the program starts");
-    drop(child.stdout.take());
+    let child = command.stdout(writer).stderr(Stdio::piped()).spawn().expect("the program starts");
     child.wait_with_output().expect("and ends")
 }
 

@@ -68,7 +68,8 @@ impl Shape for DoubleSphere {
         let normal = outward / outward.length();
         let point = (center + f64::from(sphere.radius) * normal).as_vec3();
         let normal = normal.as_vec3();
-        let error = gamma(5) * (sphere.center.abs() + (sphere.radius * normal).abs());
+        // Rounded once, from numbers with twice the digits.
+        let error = gamma(2) * point.abs();
         Some(Hit { t, point, error, geometric: normal, normal, uv: uv(normal) })
     }
 }

@@ -4,7 +4,7 @@ use glam::{Vec2, Vec3};
 
 use crate::direction::unit;
 use crate::ray::Ray;
-use crate::rounding::gamma;
+use crate::rounding::{Placed, gamma};
 use crate::shape::{Hit, Shape};
 
 /// An infinite plane, with a front: the side its normal points to.
@@ -40,25 +40,38 @@ impl Plane {
     }
     // ANCHOR_END: distance
 
+    // ANCHOR: foot
     /// The ray's point at `t`, moved along the normal onto the plane.
-    pub(crate) fn foot(&self, ray: &Ray, t: f32) -> Vec3 {
+    ///
+    /// Of its height before the move, the difference and the dot product leave four roundings of
+    /// `beside`, and the normal's length and the product nine of `height`; the move rounds the
+    /// point once. Asked again, the plane measures a height once more: four of `beside`.
+    fn foot(&self, ray: &Ray, t: f32) -> Placed {
         let point = ray.at(t);
-        point - (point - self.point).dot(self.normal) * self.normal
+        let beside = point - self.point;
+        let down = beside.dot(self.normal) * self.normal;
+        let point = point - down;
+        let error = gamma(9) * beside.abs() + gamma(14) * down.abs() + gamma(2) * point.abs();
+        Placed { point, error }
     }
+    // ANCHOR_END: foot
 }
 
 impl Shape for Plane {
     fn hit(&self, ray: &Ray, t_max: f32) -> Option<Hit> {
         let t = self.distance(ray, t_max)?;
-        let point = self.foot(ray, t);
+        let Placed { point, error } = self.foot(ray, t);
 
         // Squares of side 1, over and over.
         let (right, up) = self.normal.any_orthonormal_pair();
         let from_point = point - self.point;
         let place = Vec2::new(from_point.dot(right), from_point.dot(up));
-        let error = gamma(5) * (point.abs() + self.point.abs());
         let (normal, uv) = (self.normal, place - place.floor());
         Some(Hit { t, point, error, geometric: normal, normal, uv })
+    }
+
+    fn hides_itself(&self, _eye: Vec3) -> bool {
+        false
     }
 }
 

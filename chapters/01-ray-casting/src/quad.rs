@@ -5,7 +5,7 @@ use glam::{Vec2, Vec3};
 use crate::direction::{cross, unit};
 use crate::plane::Plane;
 use crate::ray::Ray;
-use crate::rounding::gamma;
+use crate::rounding::{Placed, gamma};
 use crate::shape::{Hit, Shape};
 
 /// A parallelogram: a corner, and the two edges that leave it.
@@ -17,6 +17,8 @@ pub struct Quad {
     /// The dot product of `along[0]` with a vector from the corner is how many times the first edge
     /// goes into it, whatever it has of the second; `along[1]` for the other.
     along: [Vec3; 2],
+    /// How far the end of each edge is from the plane, whose normal had to be rounded.
+    lift: Vec2,
 }
 
 impl Quad {
@@ -33,7 +35,8 @@ impl Quad {
             measure(edges[1], plane.normal().cross(sides[0])),
         ];
         let usable = along.iter().all(|along| along.is_finite());
-        usable.then_some(Self { corner, edges, plane, along })
+        let lift = Vec2::from(edges.map(|edge| height(edge, plane.normal())));
+        usable.then_some(Self { corner, edges, plane, along, lift })
     }
     // ANCHOR_END: new
 
@@ -51,6 +54,26 @@ impl Quad {
         Vec2::new(from_corner.dot(self.along[0]), from_corner.dot(self.along[1]))
     }
     // ANCHOR_END: place
+
+    // ANCHOR: point
+    /// The point at the place `uv`.
+    ///
+    /// It is three roundings of the corner and of the two steps from there, and as far from the
+    /// plane as the edges are. Asked again, the plane measures its height from the corner: four
+    /// roundings of both steps.
+    fn point(&self, uv: Vec2) -> Placed {
+        let (first, second) = (uv.x * self.edges[0], uv.y * self.edges[1]);
+        let point = self.corner + first + second;
+        let rounded = gamma(4) * self.corner.abs() + gamma(8) * (first.abs() + second.abs());
+        let lifted = uv.dot(self.lift) * self.plane.normal().abs();
+        Placed { point, error: rounded + lifted }
+    }
+    // ANCHOR_END: point
+}
+
+/// How far the tip of `edge` is from a plane through its other end, a little rounded up.
+fn height(edge: Vec3, normal: Vec3) -> f32 {
+    (1.000_001 * edge.as_dvec3().dot(normal.as_dvec3()).abs()) as f32
 }
 
 /// The vector along `across` whose dot product with `edge` is 1.
@@ -64,11 +87,13 @@ impl Shape for Quad {
         let t = self.plane.distance(ray, t_max)?;
         let uv = self.place(ray.at(t));
         let inside = uv.cmpge(Vec2::ZERO).all() && uv.cmple(Vec2::ONE).all();
-        let (along_first, along_second) = (uv.x * self.edges[0], uv.y * self.edges[1]);
-        let point = self.corner + along_first + along_second;
-        let error = gamma(5) * (self.corner.abs() + along_first.abs() + along_second.abs());
         let normal = self.plane.normal();
+        let Placed { point, error } = self.point(uv);
         inside.then_some(Hit { t, point, error, geometric: normal, normal, uv })
+    }
+
+    fn hides_itself(&self, _eye: Vec3) -> bool {
+        false
     }
 }
 // ANCHOR_END: hit

@@ -18,7 +18,8 @@ pub struct Hit {
     pub t: f32,
     /// The point on the surface.
     pub point: Vec3,
-    /// How far from the surface `point` may be along each axis, for the roundings on its way.
+    /// How far from the surface `point` may be along each axis, for the roundings on its way, and
+    /// those of asking the shape again from beside it.
     pub error: Vec3,
     /// The surface's own outward normal there, of length 1, whichever side the ray comes from.
     pub geometric: Vec3,
@@ -42,10 +43,22 @@ pub trait Shape: Send + Sync {
         self.hit(ray, t_max).is_some()
     }
 
-    /// The same, with its work counted. A shape made of many parts counts each of them.
+    /// The same as `hit`, with its work counted. A shape made of many parts counts each of them.
     fn hit_counted(&self, ray: &Ray, t_max: f32, counts: &mut Counts) -> Option<Hit> {
         counts.count(SHAPE_TESTS, 1);
         self.hit(ray, t_max)
+    }
+
+    /// The same as `is_hit`, with its work counted.
+    fn is_hit_counted(&self, ray: &Ray, t_max: f32, counts: &mut Counts) -> bool {
+        counts.count(SHAPE_TESTS, 1);
+        self.is_hit(ray, t_max)
+    }
+
+    /// Whether a part of it that can be seen from `eye` may be hidden behind the rest of it from
+    /// something on the seen side of that part. Few shapes can rule it out.
+    fn hides_itself(&self, _eye: Vec3) -> bool {
+        true
     }
 }
 

@@ -3,9 +3,10 @@
 use glam::Vec3;
 
 use crate::crossing::Crossing;
+use crate::direction::unit;
 use crate::longitude::uv;
 use crate::ray::Ray;
-use crate::rounding::{Placed, gamma};
+use crate::rounding::gamma;
 use crate::shape::{Hit, Shape};
 
 /// A sphere. One whose radius is not above 0 is hit by no ray.
@@ -33,16 +34,20 @@ impl Sphere {
         // l leads from the centre to the nearest point of the line.
         let l = f + (b / a) * d;
         let distance = l.length();
-        let discriminant = (r - distance) * (r + distance);
+        let k = self.power(f);
+        let square = match k < 0.0 {
+            // From inside every line crosses. Here nothing cancels, and nothing can miss.
+            true => b * b - a * k,
+            false => a * ((r - distance) * (r + distance)),
+        };
 
         // NaN is not above 0 either, so that this turns away all that can't be hit.
-        if !(discriminant >= 0.0 && r > 0.0) {
+        if !(square >= 0.0 && r > 0.0) {
             return None;
         }
 
         // b and the root have one sign, so that nothing cancels in q.
-        let q = b + (a * discriminant).sqrt().copysign(b);
-        let k = self.power(f);
+        let q = b + square.sqrt().copysign(b);
         Crossing::sorted(k / q, q / a)
     }
     // ANCHOR_END: crossing
@@ -66,19 +71,25 @@ impl Sphere {
     ///
     /// Along the ray it is wrong by about the rounding of `origin` and `t`, and from the centre by
     /// that of `center` and `radius`. The smaller numbers round less.
-    fn point(&self, ray: &Ray, t: f32, normal: Vec3) -> Placed {
+    fn point(&self, ray: &Ray, t: f32, normal: Vec3) -> Vec3 {
         let along = largest(ray.origin) + t * largest(ray.direction);
         let around = largest(self.center) + self.radius;
-        if along < around {
-            let error = gamma(8) * (ray.origin.abs() + (t * ray.direction).abs());
-            Placed { point: ray.at(t), error }
-        } else {
-            let outward = self.radius * normal;
-            let error = gamma(5) * (self.center.abs() + outward.abs());
-            Placed { point: self.center + outward, error }
-        }
+        if along < around { ray.at(t) } else { self.center + self.radius * normal }
     }
     // ANCHOR_END: point
+
+    // ANCHOR: error
+    /// How far from the surface `point` may be, where the normal is `normal`.
+    ///
+    /// Its height is measured: (|f| - r)(|f| + r) over a number below the second factor. To measure
+    /// it rounds f once and the squares less than twice as far, three roundings of the radius in
+    /// all, and whoever asks the sphere again from beside `point` rounds as much once more.
+    fn error(&self, point: Vec3, normal: Vec3) -> Vec3 {
+        let f = point - self.center;
+        let height = self.power(f).abs() / (largest(f) + self.radius);
+        (height + gamma(7) * self.radius) * normal.abs()
+    }
+    // ANCHOR_END: error
 }
 
 /// The largest component, whatever its sign.
@@ -91,9 +102,20 @@ impl Shape for Sphere {
     fn hit(&self, ray: &Ray, t_max: f32) -> Option<Hit> {
         let t = self.crossing(ray)?.first(t_max)?;
         let outward = (ray.origin - self.center) + t * ray.direction;
-        let normal = outward / outward.length();
-        let Placed { point, error } = self.point(ray, t, normal);
+        // Of a sphere too small to be seen from so far, rounding may leave nothing.
+        let normal = unit(outward).or_else(|| unit(-ray.direction))?;
+        let point = self.point(ray, t, normal);
+        let error = self.error(point, normal);
         Some(Hit { t, point, error, geometric: normal, normal, uv: uv(normal) })
+    }
+
+    fn is_hit(&self, ray: &Ray, t_max: f32) -> bool {
+        self.crossing(ray).and_then(|crossing| crossing.first(t_max)).is_some()
+    }
+
+    /// Only from inside: from outside, the part that is seen faces away from the rest.
+    fn hides_itself(&self, eye: Vec3) -> bool {
+        !(self.power(eye - self.center) > 0.0)
     }
 }
 // ANCHOR_END: hit

@@ -72,6 +72,17 @@ impl Packed {
         nearest
     }
     // ANCHOR_END: nearest
+
+    /// The first triangle in the list, not along the ray, that is hit at `0 < t < t_max`.
+    pub fn first_hit(&self, ray: &Ray, t_max: f32) -> Option<usize> {
+        let ray = ShearedRay::prepare(ray)?;
+        let four_rays = FourRays::new(&ray);
+        let packs = self.packs.iter().zip((0..).step_by(LANES));
+        packs.filter(|(pack, _)| !pack.all_missed(&four_rays)).find_map(|(_, first)| {
+            let four = (first..).zip(self.corners[first..].iter().take(LANES));
+            four.into_iter().find(|(_, it)| ray.hit(it, t_max).is_some()).map(|(index, _)| index)
+        })
+    }
 }
 
 impl Pack {

@@ -22,6 +22,8 @@
 //! | [`area`] | whether a triangle has an area, decided exactly |
 //! | [`brute`] | the nearest hit among all triangles |
 //! | [`mesh`] | triangles that share their vertices |
+//! | [`packed`] | a mesh as a shape, four triangles at a time |
+//! | [`parts`] | a mesh in parts, one a material |
 //! | [`closed`] | meshes that have an inside |
 //! | [`surface`], [`smooth`] | normals of triangles, and between them |
 //! | [`bunny`], [`bumpy`], [`convert`] | meshes built in, made up, and from files |
@@ -45,6 +47,8 @@ pub mod intersect;
 pub mod lanes;
 pub mod mesh;
 pub mod naive;
+pub mod packed;
+pub mod parts;
 pub mod picture;
 pub mod reference;
 pub mod smooth;

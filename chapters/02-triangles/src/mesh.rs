@@ -3,10 +3,11 @@
 use common::tally::{Counts, Tally};
 use glam::{Vec2, Vec3};
 use ray_casting::ray::Ray;
-use ray_casting::rounding::gamma;
+use ray_casting::rounding::Placed;
 use ray_casting::shape::{Hit, Shape};
 
 use crate::brute::{Found, TRIANGLE_TESTS, nearest};
+use crate::intersect::TriangleTest;
 use crate::surface;
 use crate::watertight::ShearedRay;
 
@@ -63,14 +64,21 @@ impl Mesh {
         let Found { hit, index } = found;
         let (corners, weights) = (self.corners(index), hit.barycentric);
         let geometric = surface::own_normal(self, index);
+        let Placed { point, error } = surface::place(corners, weights);
         Hit {
             t: hit.t,
-            point: surface::between(corners, weights),
-            error: gamma(7) * surface::between(corners.map(Vec3::abs), weights),
+            point,
+            error,
             geometric,
             normal: surface::shading_normal(self, index, weights, geometric),
             uv: self.uv(index, weights),
         }
+    }
+
+    /// The first triangle in the list, not along the ray, that is hit at `0 < t < t_max`.
+    fn first_hit(&self, ray: &Ray, t_max: f32) -> Option<usize> {
+        let ray = ShearedRay::prepare(ray)?;
+        (0..self.triangles.len()).find(|&index| ray.hit(&self.corners(index), t_max).is_some())
     }
 
     /// The texture coordinates at a point of triangle `index`; without any, the weights of the
@@ -94,6 +102,18 @@ impl Shape for Mesh {
     fn hit_counted(&self, ray: &Ray, t_max: f32, counts: &mut Counts) -> Option<Hit> {
         counts.count(TRIANGLE_TESTS, self.triangles.len() as u64);
         self.hit(ray, t_max)
+    }
+
+    /// Whether any triangle is hit; those after it are not asked.
+    fn is_hit(&self, ray: &Ray, t_max: f32) -> bool {
+        self.first_hit(ray, t_max).is_some()
+    }
+
+    fn is_hit_counted(&self, ray: &Ray, t_max: f32, counts: &mut Counts) -> bool {
+        let first = self.first_hit(ray, t_max);
+        let asked = first.map_or(self.triangles.len(), |index| index + 1);
+        counts.count(TRIANGLE_TESTS, asked as u64);
+        first.is_some()
     }
 }
 

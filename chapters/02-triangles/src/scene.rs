@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use common::chapter::{Failure, SceneName, unknown_scene};
-use common::obj;
+use common::obj::{self, Material};
 use common::plan::Call;
 use glam::Vec3;
 use ray_casting::camera::View;
@@ -33,6 +33,10 @@ pub struct MeshScene {
     pub warnings: Vec<String>,
     /// The effects its data call for.
     pub calls: Vec<Call>,
+    /// The materials of a file.
+    pub materials: Vec<Material>,
+    /// Which of them each triangle is of; empty for a mesh that is built in.
+    pub material_of: Vec<Option<u32>>,
 }
 
 impl MeshScene {
@@ -59,10 +63,8 @@ impl MeshScene {
         if let Some(count) = name.strip_prefix("sphere:") {
             return Ok(Self::built_in(bumpy::sphere(sphere_size(count)?), SPHERE_VIEW, normals));
         }
-        let path = Path::new(name);
-        let is_mesh = path.extension().is_some_and(|it| it.eq_ignore_ascii_case("obj"));
-        if is_mesh || path.exists() {
-            return from_file(path, normals);
+        if is_file(name) {
+            return from_file(Path::new(name), normals);
         }
         Err(unknown_scene(name, SCENES))
     }
@@ -72,8 +74,21 @@ impl MeshScene {
             mesh.normals.clear();
         }
         let calls = calls::of_mesh(&mesh);
-        Self { mesh, view, warnings: Vec::new(), calls }
+        Self {
+            mesh,
+            view,
+            warnings: Vec::new(),
+            calls,
+            materials: Vec::new(),
+            material_of: Vec::new(),
+        }
     }
+}
+
+/// Whether a scene's name is that of a file: one that ends in `.obj`, or is there.
+pub fn is_file(name: &str) -> bool {
+    let path = Path::new(name);
+    path.extension().is_some_and(|it| it.eq_ignore_ascii_case("obj")) || path.exists()
 }
 
 fn from_file(path: &Path, normals: Normals) -> Result<MeshScene, Failure> {
@@ -82,7 +97,8 @@ fn from_file(path: &Path, normals: Normals) -> Result<MeshScene, Failure> {
     let mesh = mesh_of(&model, normals);
     let view = framed(&mesh).ok_or_else(|| too_large(path))?;
     let calls = calls::of_model(&mesh, &model);
-    Ok(MeshScene { mesh, view, warnings, calls })
+    let material_of = model.triangles.iter().map(|triangle| triangle.material).collect();
+    Ok(MeshScene { mesh, view, warnings, calls, materials: model.materials, material_of })
 }
 
 fn failure(error: obj::ObjError) -> Failure {
@@ -198,5 +214,12 @@ mod tests {
         assert!(called(Effect::LocalShading) && called(Effect::AreaLights));
         assert!(!called(Effect::Refraction) && !called(Effect::MirrorReflection));
         assert!(scene.view.eye.z > 3.0 && scene.warnings.is_empty());
+        assert_eq!(scene.material_of.len(), scene.mesh.triangles.len());
+        let used = scene
+            .material_of
+            .iter()
+            .flatten()
+            .map(|&it| scene.materials[it as usize].name.as_str());
+        assert!(["plaster", "sign"].iter().all(|name| used.clone().any(|it| it == *name)));
     }
 }

@@ -1,6 +1,7 @@
 //! The surface at a hit: its point, the triangle's own normal and the smooth one.
 
 use glam::{DVec3, Vec3};
+use ray_casting::rounding::{Placed, gamma};
 
 use crate::mesh::Mesh;
 
@@ -13,6 +14,24 @@ pub fn between([a, b, c]: [Vec3; 3], barycentric: Vec3) -> Vec3 {
     barycentric.x * a + barycentric.y * b + barycentric.z * c
 }
 // ANCHOR_END: between
+
+// ANCHOR: place
+/// The point of a hit, and how far from the triangle it may be.
+///
+/// A weight is rounded once, its product once, and their sum twice: four roundings of each corner's
+/// part. Whoever asks the triangle again from beside the point rounds each corner's distance, the
+/// shear and their difference, which moves a corner along an axis by two roundings of its distance
+/// along that axis and along the ray's longest; between moved corners the triangle moves no
+/// farther than they.
+pub fn place(corners: [Vec3; 3], barycentric: Vec3) -> Placed {
+    let point = between(corners, barycentric);
+    let [a, b, c] = corners.map(|corner| (corner - point).abs());
+    let distance = a.max(b).max(c);
+    let sheared = distance + Vec3::splat(distance.max_element());
+    let error = gamma(5) * between(corners.map(Vec3::abs), barycentric) + gamma(3) * sheared;
+    Placed { point, error }
+}
+// ANCHOR_END: place
 
 // ANCHOR: geometric
 /// The triangle's own normal, of length 1, on the side from which its corners run

@@ -9,6 +9,7 @@ use common::plan::{Call, Effect, Plan, Skill};
 use common::render::{Pixel, Rendering, Settings};
 use common::tally::{Event, Tally};
 use ray_casting::camera::{CAMERA_RAYS, Camera};
+use ray_casting::knobs::Aim;
 use triangles::brute::TRIANGLE_TESTS;
 use triangles::mesh::Mesh;
 
@@ -35,6 +36,9 @@ pub struct Knobs {
     /// What the picture shows
     #[arg(long, value_enum, default_value_t)]
     pub view: ViewChoice,
+    /// Where to look from.
+    #[command(flatten)]
+    pub aim: Aim,
 }
 
 /// Which loop is the outer one.
@@ -88,8 +92,12 @@ impl Chapter for ObjectOrder {
     type Knobs = Knobs;
     type Scene = Stage;
 
-    fn build(name: &str, _knobs: &Knobs) -> Result<Stage, Failure> {
-        Stage::named(name)
+    fn build(name: &str, knobs: &Knobs) -> Result<Stage, Failure> {
+        Stage::named(name, &knobs.aim)
+    }
+
+    fn warnings(stage: &Stage) -> &[String] {
+        &stage.warnings
     }
 
     fn calls(stage: &Stage, knobs: &Knobs) -> Vec<Call> {

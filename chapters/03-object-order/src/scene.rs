@@ -6,6 +6,7 @@ use common::chapter::{Failure, SceneName, unknown_scene};
 use common::plan::{Call, Effect};
 use glam::Vec3;
 use ray_casting::camera::{Camera, View};
+use ray_casting::knobs::Aim;
 use triangles::convert::Normals;
 use triangles::mesh::Mesh;
 use triangles::scene::MeshScene;
@@ -37,40 +38,41 @@ pub struct Stage {
     pub calls: Vec<Call>,
     /// Why triangles must be clipped, if they must.
     pub clipping: Option<Call>,
+    /// What the reader should be told of the file.
+    pub warnings: Vec<String>,
 }
 
 impl Stage {
-    /// The scene called `name`: "inside", or one of chapter 2's.
+    /// The scene called `name`: "inside", or one of chapter 2's; seen from where `aim` says.
     ///
     /// # Errors
-    /// A name that is none of these (exit code 2), or a file that is no mesh (exit code 1).
-    pub fn named(name: &str) -> Result<Self, Failure> {
+    /// A name that is none of these, or a view that can't be (exit code 2), or a file that is no
+    /// mesh (exit code 1).
+    pub fn named(name: &str, aim: &Aim) -> Result<Self, Failure> {
         if name == "inside" {
             // Without vertex normals, so that each triangle shows.
-            let MeshScene { mesh, calls, .. } =
-                MeshScene::with_normals("sphere:2000", Normals::Flat)?;
-            return Self::of(name, mesh, &INSIDE_VIEW, calls);
+            let scene = MeshScene::with_normals("sphere:2000", Normals::Flat)?;
+            return Self::of(MeshScene { view: INSIDE_VIEW, ..scene }, aim);
         }
         if !is_of_chapter_2(name) {
             return Err(unknown_scene(name, SCENES));
         }
-        let MeshScene { mesh, view, warnings, calls, .. } = MeshScene::named(name)?;
-        for warning in &warnings {
-            eprintln!("warning: {warning}");
-        }
-        Self::of(name, mesh, &view, calls)
+        Self::of(MeshScene::named(name)?, aim)
     }
 
-    fn of(name: &str, mesh: Mesh, view: &View, calls: Vec<Call>) -> Result<Self, Failure> {
+    fn of(scene: MeshScene, aim: &Aim) -> Result<Self, Failure> {
+        let MeshScene { mesh, mut view, warnings, calls } = scene;
+        aim.apply(&mut view);
         // Half of a film two pixels high is one pixel: see `comfortable`.
-        let camera =
-            Camera::new(view, 2, 2).map_err(|error| Failure::Work(format!("{name}: {error}")))?;
+        let camera = Camera::new(&view, 2, 2);
+        let camera = camera.map_err(|error| Failure::Usage(format!("no picture: {error}")))?;
         let (vertices, deepest) = project(&Projection::new(&camera), &mesh.positions);
         let before = vertices.iter().map(|vertex| vertex.w).filter(|&depth| depth > 0.0);
         let nearest = before.fold(deepest, f64::min);
         let corners = mesh.all_corners();
         let depths = [nearest as f32, deepest as f32];
-        Ok(Self { mesh, corners, camera, depths, calls, clipping: clipping(&vertices, deepest) })
+        let clipping = clipping(&vertices, deepest);
+        Ok(Self { mesh, corners, camera, depths, calls, clipping, warnings })
     }
 }
 
@@ -108,12 +110,13 @@ fn clipping(vertices: &[FilmPoint], deepest: f64) -> Option<Call> {
 #[cfg(test)]
 mod tests {
     use common::plan::Effect;
+    use ray_casting::knobs::Aim;
 
     use super::Stage;
 
     #[test]
     fn only_a_mesh_that_surrounds_the_eye_calls_for_clipping() {
-        let calls = |name: &str| Stage::named(name).map(|stage| stage.clipping);
+        let calls = |name: &str| Stage::named(name, &Aim::default()).map(|stage| stage.clipping);
         assert!(matches!(calls("bunny"), Ok(None)));
         assert!(matches!(calls("sphere:1000"), Ok(None)));
         let inside = calls("inside").ok().flatten().expect("it does");
@@ -123,6 +126,6 @@ mod tests {
 
     #[test]
     fn an_unknown_scene_is_refused() {
-        assert!(Stage::named("teapot").is_err());
+        assert!(Stage::named("teapot", &Aim::default()).is_err());
     }
 }

@@ -33,6 +33,11 @@ where
     let start = Instant::now();
     let scene = C::build(name, knobs)?;
     let build_seconds = start.elapsed().as_secs_f64();
+    if !args.quiet {
+        for warning in C::warnings(&scene) {
+            writeln!(std::io::stderr(), "warning: {warning}")?;
+        }
+    }
     let plan = Plan::new(&C::calls(&scene, knobs), C::SKILLS, args.simulate);
     let talkative = !args.quiet && !args.json;
     if talkative {

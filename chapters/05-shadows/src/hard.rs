@@ -1,0 +1,5 @@
+//! The chapter's hard cases.
+
+pub(crate) mod ball;
+pub(crate) mod draw;
+pub(crate) mod grid;
