@@ -31,7 +31,7 @@ pub struct Grid {
 ///
 /// Twice as many cells hold half as many triangles each, and a ray passes 2^(1/3) times as many.
 /// The chapter's first experiment shows where that pays.
-pub const CELLS_PER_TRIANGLE: f32 = 8.0;
+pub const CELLS_PER_TRIANGLE: f32 = 2.0;
 // ANCHOR_END: heuristic
 
 /// The most triangles that a grid stores at the reader's own number of cells: 640 MB of them.
@@ -40,9 +40,9 @@ const MOST_STORED: u64 = 1 << 24;
 impl Grid {
     /// With `cells` cells along the longest side and cubes as nearly as can be, or fewer, where
     /// that would store more than 16 million triangles.
-    pub fn with_cells(triangles: Vec<[Vec3; 3]>, cells: u32) -> Self {
+    pub fn with_cells(triangles: &[[Vec3; 3]], cells: u32) -> Self {
         let most = |stored: usize| MOST_STORED.max(stored as u64);
-        Self::arranged(&triangles, most, |_, size| {
+        Self::arranged(triangles, most, |_, size| {
             let longest = size.max_element();
             let cells = cells.clamp(1, MOST_A_SIDE as u32) as f32;
             size.to_array().map(|length| ((length / longest * cells).round() as i32).max(1))
@@ -73,9 +73,19 @@ impl Grid {
         Self { bounds, sides, starts, stored, triangles: triangles.len(), left_out }
     }
 
+    /// The box around all that is stored.
+    pub fn bounds(&self) -> &Aabb {
+        &self.bounds
+    }
+
+    /// Its three sides, cut into cells.
+    pub fn sides(&self) -> &[Side; 3] {
+        &self.sides
+    }
+
     /// The triangles in the cell with these indices.
     #[inline]
-    pub(crate) fn cell(&self, [x, y, z]: [i32; 3]) -> &[Stored] {
+    pub fn cell(&self, [x, y, z]: [i32; 3]) -> &[Stored] {
         let number = number(&self.sides, [x, y, z]);
         &self.stored[self.starts[number] as usize..self.starts[number + 1] as usize]
     }
@@ -89,7 +99,7 @@ fn cut(bounds: &Aabb, counts: [i32; 3]) -> [Side; 3] {
 
 #[inline]
 fn number(sides: &[Side; 3], [x, y, z]: [i32; 3]) -> usize {
-    let [across, up, _] = sides.map(|side| side.count as usize);
+    let (across, up) = (sides[0].count as usize, sides[1].count as usize);
     (z as usize * up + y as usize) * across + x as usize
 }
 

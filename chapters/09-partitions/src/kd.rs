@@ -8,9 +8,9 @@ use glam::Vec3;
 use ray_casting::ray::Ray;
 
 use crate::accelerator::{Accelerator, Statistics};
-use crate::leaf::Question;
+use crate::leaf::{Question, Stored};
 use crate::median::median;
-use crate::plane_tree::PlaneTree;
+use crate::plane_tree::{Node, PlaneTree};
 use crate::plant::{Cell, Plane, plant};
 use crate::surface_area::cheapest;
 
@@ -39,12 +39,22 @@ impl KdTree {
         };
         Self(plant(triangles, Vec3::AXES, |_| Vec3::ZERO, choose))
     }
+
+    /// The node at this place; the root's is 0.
+    pub(crate) fn node(&self, place: usize) -> Node {
+        self.0.nodes[place]
+    }
+
+    /// The triangles of a leaf.
+    pub(crate) fn leaf(&self, first: u32, count: u32) -> &[Stored] {
+        &self.0.stored[first as usize..(first + count) as usize]
+    }
 }
 // ANCHOR_END: kd
 
 // ANCHOR: median
 /// The most triangles that are left together where planes are put by medians.
-pub const FEW: usize = 4;
+pub const FEW: usize = 8;
 
 /// The median across the cell's longest side.
 fn by_median(cell: &Cell<3>) -> Option<Plane> {

@@ -5,14 +5,23 @@ pub mod bsp;
 pub mod cells;
 pub mod grid;
 pub mod hard;
+pub mod heat;
 pub mod indexed;
 pub mod kd;
 pub mod leaf;
 pub mod march;
 pub mod median;
+pub mod naive;
 pub mod octree;
 pub mod plane_tree;
 pub mod plant;
 pub mod scan;
 pub mod surface_area;
 pub mod wide;
+
+#[cfg(feature = "native")]
+pub mod choice;
+#[cfg(feature = "native")]
+pub mod command;
+#[cfg(feature = "native")]
+pub mod cost;

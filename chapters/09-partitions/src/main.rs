@@ -2,6 +2,8 @@
 
 use std::process::ExitCode;
 
+use partitions::command::Partitions;
+
 fn main() -> ExitCode {
-    ExitCode::SUCCESS
+    common::chapter::main::<Partitions>()
 }

@@ -81,6 +81,7 @@ impl Lane {
     }
     // ANCHOR_END: lane_steps
 
+    #[inline]
     fn cells(&self) -> [i32; 2] {
         [self.back.min(self.front), self.back.max(self.front)]
     }
@@ -118,7 +119,7 @@ impl March {
     pub fn next_cells(&mut self) -> Option<Cells> {
         if !self.started {
             self.started = true;
-            return Some(Cells::between(self.lanes.map(|lane| lane.cells())));
+            return Some(Cells::between(self.cells()));
         }
         let axis = self.first_to_leave();
         let place = self.lanes[axis].front_leaves;
@@ -129,11 +130,17 @@ impl March {
         for lane in &mut self.lanes {
             lane.draw_up(place);
         }
-        let mut cells = self.lanes.map(|lane| lane.cells());
+        let mut cells = self.cells();
         cells[axis] = [self.lanes[axis].front; 2];
         Some(Cells::between(cells))
     }
     // ANCHOR_END: march
+
+    /// The cells that the ray is in along each axis: from these to those.
+    #[inline]
+    fn cells(&self) -> [[i32; 2]; 3] {
+        [0, 1, 2].map(|axis| self.lanes[axis].cells())
+    }
 
     /// Makes the way end at `place` along the ray's longest axis, if it doesn't end before.
     #[inline]
@@ -144,7 +151,7 @@ impl March {
     /// The axis along which the front edge leaves its cell first.
     #[inline]
     fn first_to_leave(&self) -> usize {
-        let [x, y, z] = self.lanes.map(|lane| lane.front_leaves);
+        let [x, y, z] = [0, 1, 2].map(|axis| self.lanes[axis].front_leaves);
         match () {
             () if x < y && x < z => 0,
             () if y < z => 1,
@@ -162,6 +169,7 @@ pub struct Cells {
 }
 
 impl Cells {
+    #[inline]
     fn between(ends: [[i32; 2]; 3]) -> Self {
         let low = ends.map(|[low, _]| low);
         Self { low, high: ends.map(|[_, high]| high), next: low }

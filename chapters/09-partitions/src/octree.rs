@@ -37,32 +37,78 @@ enum Node {
 // ANCHOR_END: octree
 
 /// The most triangles that are left together without an attempt to cut.
-const FEW: usize = 4;
+const FEW: usize = 8;
+/// A leaf with nothing in it.
+const NOTHING: Node = Node::Leaf { first: 0, count: 0 };
 /// The most steps from the root to a leaf: a cell is then a millionth of the scene across.
 const DEEPEST: usize = 20;
 
+/// Which box says where a triangle belongs: the one around it, but for a mistake to be shown.
+pub(crate) type Place = fn(&Stored) -> Aabb;
+
 impl Octree {
-    /// Cuts the cell at place `node`, which holds `members`, or makes it a leaf. `copies` is as in
-    /// [`crate::plant`]: how many times the members' memory may be spent.
-    fn cut(&mut self, node: usize, members: &[Stored], cell: Aabb, depth: usize, copies: f32) {
-        self.depth = self.depth.max(depth);
-        let parts = parts(members, cell.center());
-        let stored: usize = parts.iter().map(Vec::len).sum();
-        let many = members.len() > FEW && depth < DEEPEST;
-        let affordable = stored as f32 <= copies * members.len() as f32;
-        if !(many && affordable && is_useful(members.len(), stored) && progresses(&cell)) {
-            let first = self.stored.len() as u32;
-            self.stored.extend_from_slice(members);
-            self.nodes[node] = Node::Leaf { first, count: members.len() as u32 };
+    /// The tree, with each triangle in the cells that its `place` reaches into.
+    pub(crate) fn planted(triangles: &[[Vec3; 3]], place: Place) -> Self {
+        let hittable = hittable(triangles);
+        let bounds = Aabb::of_points(hittable.iter().flat_map(|it| it.corners));
+        let tree = Self {
+            bounds,
+            nodes: vec![NOTHING],
+            stored: Vec::new(),
+            triangles: triangles.len(),
+            left_out: triangles.len() - hittable.len(),
+            depth: 0,
+        };
+        let mut planting = Planting { tree, place };
+        planting.cell(0, &hittable, bounds, Allowance { depth: DEEPEST, copies: MOST_COPIES });
+        planting.tree
+    }
+}
+
+/// What is left to be spent on a cell.
+#[derive(Clone, Copy)]
+struct Allowance {
+    /// How many more times it may be cut.
+    depth: usize,
+    /// How many times its members' memory may be used, as in [`crate::plant`].
+    copies: f32,
+}
+
+struct Planting {
+    tree: Octree,
+    place: Place,
+}
+
+impl Planting {
+    /// Cuts the cell at place `node`, or makes it a leaf.
+    fn cell(&mut self, node: usize, members: &[Stored], cell: Aabb, left: Allowance) {
+        self.tree.depth = self.tree.depth.max(DEEPEST - left.depth);
+        let Some(parts) = self.cut(members, &cell, left) else {
+            let first = self.tree.stored.len() as u32;
+            self.tree.stored.extend_from_slice(members);
+            self.tree.nodes[node] = Node::Leaf { first, count: members.len() as u32 };
             return;
-        }
-        let first = self.nodes.len();
-        self.nodes[node] = Node::Inner { center: cell.center(), first: first as u32 };
-        self.nodes.extend([Node::Leaf { first: 0, count: 0 }; 8]);
-        let copies = copies * members.len() as f32 / stored as f32;
+        };
+        let stored: usize = parts.iter().map(Vec::len).sum();
+        let copies = left.copies * members.len() as f32 / stored as f32;
+        let first = self.tree.nodes.len();
+        self.tree.nodes[node] = Node::Inner { center: cell.center(), first: first as u32 };
+        self.tree.nodes.extend([NOTHING; 8]);
         for (part, members) in parts.iter().enumerate() {
-            self.cut(first + part, members, eighth(&cell, part), depth + 1, copies);
+            let left = Allowance { depth: left.depth - 1, copies };
+            self.cell(first + part, members, eighth(&cell, part), left);
         }
+    }
+
+    /// The members of each eighth, if cutting is allowed and does any good.
+    fn cut(&self, members: &[Stored], cell: &Aabb, left: Allowance) -> Option<[Vec<Stored>; 8]> {
+        if members.len() <= FEW || left.depth == 0 || !progresses(cell) {
+            return None;
+        }
+        let parts = parts(members, cell.center(), self.place);
+        let stored: usize = parts.iter().map(Vec::len).sum();
+        let affordable = stored as f32 <= left.copies * members.len() as f32;
+        (affordable && is_useful(members.len(), stored)).then_some(parts)
     }
 }
 
@@ -86,10 +132,10 @@ fn progresses(cell: &Aabb) -> bool {
 
 // ANCHOR: parts
 /// Which triangles go to which part: those whose box reaches into it (hard case AC-11).
-fn parts(members: &[Stored], center: Vec3) -> [Vec<Stored>; 8] {
+fn parts(members: &[Stored], center: Vec3, place: Place) -> [Vec<Stored>; 8] {
     let mut parts = [const { Vec::new() }; 8];
     for triangle in members {
-        let Aabb { min, max } = triangle.corners.bounds();
+        let Aabb { min, max } = place(triangle);
         let above = max.cmpgt(center).bitmask();
         let below = (min.cmplt(center) | max.cmple(center)).bitmask();
         for (part, list) in (0..).zip(&mut parts) {
@@ -156,18 +202,7 @@ impl<Q: Question, T: Tally> Descent<'_, Q, T> {
 
 impl Accelerator for Octree {
     fn build(triangles: Vec<[Vec3; 3]>) -> Self {
-        let hittable = hittable(&triangles);
-        let bounds = Aabb::of_points(hittable.iter().flat_map(|it| it.corners));
-        let mut tree = Self {
-            bounds,
-            nodes: vec![Node::Leaf { first: 0, count: 0 }],
-            stored: Vec::new(),
-            triangles: triangles.len(),
-            left_out: triangles.len() - hittable.len(),
-            depth: 0,
-        };
-        tree.cut(0, &hittable, bounds, 0, MOST_COPIES);
-        tree
+        Self::planted(&triangles, |triangle| triangle.corners.bounds())
     }
 
     fn walk<Q: Question, T: Tally>(&self, ray: &Ray, question: &mut Q, tally: &mut T) {

@@ -8,11 +8,11 @@
 use crate::plant::{Cell, Plane, Span};
 
 /// Parts that a side of a cell is divided into. Planes are tried where they meet.
-const BINS: usize = 32;
+const BINS: usize = 16;
 
 /// What a visit to an inner node costs, in triangle tests: the sum of two costs in the chapter's
 /// experiments.
-const VISIT: f32 = 0.5;
+const VISIT: f32 = 1.0;
 
 /// What is left of the cost of a cut that makes an empty cell: rays end there without a test, and
 /// the sum below doesn't see that (Wald and Havran 2006, section 3.3).
@@ -28,48 +28,55 @@ pub fn cheapest(cell: &Cell<3>) -> Option<Plane> {
     let mut best = None;
     let mut lowest = cell.members.len() as f32;
     for direction in 0..3 {
+        let surface = Surface::across(direction, &cell.extent);
         let [starts, ends] = binned(cell, direction);
         let [mut below, mut above] = [0, cell.members.len()];
         for border in 1..BINS {
             below += starts[border - 1];
             above -= ends[border - 1];
-            let place = between(cell.extent[direction], border);
-            let cost = cost(cell, Plane { direction, place }, below, above);
+            let part = border as f32 / BINS as f32;
+            let cost = surface.cost(part, below, above);
             // Never true for the NaN that an endless or vanishing surface gives (hard case AC-03).
             if cost < lowest {
                 lowest = cost;
-                best = Some(Plane { direction, place });
+                best = Some(Plane { direction, place: between(cell.extent[direction], part) });
             }
         }
     }
     best
 }
 
-fn cost(cell: &Cell<3>, plane: Plane, below: usize, above: usize) -> f32 {
-    let [mut lower, mut upper] = [cell.extent; 2];
-    lower[plane.direction].high = plane.place;
-    upper[plane.direction].low = plane.place;
-    let [whole, lower, upper] = surfaces([cell.extent, lower, upper]);
-    let tests = (lower * below as f32 + upper * above as f32) / whole;
-    let factor = if below == 0 || above == 0 { WITH_EMPTY_CELL } else { 1.0 };
-    VISIT + factor * tests
+/// A cell's surface, as a plane across one direction divides it.
+struct Surface {
+    /// The share of each of the two faces across that direction.
+    end: f32,
+    /// The share of the four others together.
+    sides: f32,
+}
+
+impl Surface {
+    fn across(direction: usize, extent: &[Span; 3]) -> Self {
+        let length = |at: usize| extent[at % 3].high - extent[at % 3].low;
+        // In units of the longest side: products of the lengths themselves could overflow.
+        let unit = length(0).max(length(1)).max(length(2));
+        let [along, across, up] = [0, 1, 2].map(|turn| length(direction + turn) / unit);
+        let [end, sides] = [across * up, along * (across + up)];
+        Self { end: end / (end + sides), sides: sides / (end + sides) }
+    }
+
+    /// What a cut costs that leaves this part of the length below it, and so many members on either
+    /// side.
+    fn cost(&self, part: f32, below: usize, above: usize) -> f32 {
+        let lower = self.end + part * self.sides;
+        let upper = self.end + (1.0 - part) * self.sides;
+        let factor = if below == 0 || above == 0 { WITH_EMPTY_CELL } else { 1.0 };
+        VISIT + factor * (lower * below as f32 + upper * above as f32)
+    }
 }
 // ANCHOR_END: cheapest
 
-/// Half the surface of each box, with lengths in units of the first one's longest side, so that
-/// their products can't overflow.
-fn surfaces(boxes: [[Span; 3]; 3]) -> [f32; 3] {
-    let length = |span: Span| span.high - span.low;
-    let unit = boxes[0].map(length).into_iter().fold(0.0, f32::max);
-    boxes.map(|sides| {
-        let [x, y, z] = sides.map(|span| length(span) / unit);
-        x * y + y * z + z * x
-    })
-}
-
-/// Where part number `border` of the cell begins.
-fn between(extent: Span, border: usize) -> f32 {
-    let part = border as f32 / BINS as f32;
+/// The place that leaves this part of the cell below it.
+fn between(extent: Span, part: f32) -> f32 {
     (1.0 - part) * extent.low + part * extent.high
 }
 

@@ -42,21 +42,26 @@ impl Scene {
         }
     }
 
-    /// Whether a structure answers otherwise than the scan.
-    pub(crate) fn differs(&self, ray: &Ray, t_max: f32) -> bool {
-        let expected = self.scan.nearest(ray, t_max, &mut Off);
-        self.answers(ray, t_max).iter().any(|answer| !answer.is(expected))
+    /// What grid, octree, both k-d trees and BSP tree find.
+    pub(crate) fn found(&self, ray: &Ray, t_max: f32) -> [Option<Found>; 5] {
+        [
+            self.grid.nearest(ray, t_max, &mut Off),
+            self.octree.nearest(ray, t_max, &mut Off),
+            self.median.nearest(ray, t_max, &mut Off),
+            self.sah.nearest(ray, t_max, &mut Off),
+            self.bsp.nearest(ray, t_max, &mut Off),
+        ]
     }
 
-    /// The answers of grid, octree, both k-d trees and BSP tree.
-    pub(crate) fn answers(&self, ray: &Ray, t_max: f32) -> [Answer; 5] {
-        [
-            Answer::of(&self.grid, ray, t_max),
-            Answer::of(&self.octree, ray, t_max),
-            Answer::of(&self.median, ray, t_max),
-            Answer::of(&self.sah, ray, t_max),
-            Answer::of(&self.bsp, ray, t_max),
-        ]
+    /// Whether there is any hit, by the structure that has this number among them.
+    pub(crate) fn is_hit(&self, structure: usize, ray: &Ray, t_max: f32) -> bool {
+        match structure {
+            0 => self.grid.is_hit(ray, t_max, &mut Off),
+            1 => self.octree.is_hit(ray, t_max, &mut Off),
+            2 => self.median.is_hit(ray, t_max, &mut Off),
+            3 => self.sah.is_hit(ray, t_max, &mut Off),
+            _ => self.bsp.is_hit(ray, t_max, &mut Off),
+        }
     }
 }
 
@@ -191,17 +196,25 @@ pub(crate) fn progression() -> Vec<Corners> {
     (0..120).map(at).collect()
 }
 
-/// Between the others, triangles with corners of any bits at all (hard case AC-05).
+/// Before each of these another triangle with corners of any bits at all, one of which isn't finite
+/// (hard case AC-05).
 pub(crate) fn with_garbage(good: Vec<Corners>) -> Vec<Corners> {
-    let mut all = Vec::new();
-    for (trial, corners) in (0..).zip(good) {
-        let mut stream = Stream::of_trial(905, trial);
+    const WORST: [f32; 3] = [f32::NAN, f32::INFINITY, f32::NEG_INFINITY];
+    let broken = |trial: usize| {
+        let mut stream = Stream::of_trial(905, trial as u64);
         let mut any = || Vec3::from([0, 1, 2].map(|_| f32::from_bits(stream.bits())));
-        let mut broken = [any(), any(), any()];
-        let worst = [f32::NAN, f32::INFINITY, f32::NEG_INFINITY];
-        broken[trial as usize % 3][trial as usize / 3 % 3] = worst[trial as usize / 9 % 3];
-        all.push(broken);
-        all.push(corners);
-    }
-    all
+        let mut corners = [any(), any(), any()];
+        corners[trial % 3][trial / 3 % 3] = WORST[trial / 9 % 3];
+        corners
+    };
+    good.into_iter().enumerate().flat_map(|(trial, corners)| [broken(trial), corners]).collect()
+}
+
+/// Before each of these the same with one coordinate that is NaN.
+pub(crate) fn with_holes(good: Vec<Corners>) -> Vec<Corners> {
+    let broken = |(trial, mut corners): (usize, Corners)| {
+        corners[trial % 3][trial / 3 % 3] = f32::NAN;
+        corners
+    };
+    good.into_iter().enumerate().flat_map(|(trial, it)| [broken((trial, it)), it]).collect()
 }
