@@ -78,7 +78,7 @@ impl Packed {
         let ray = ShearedRay::prepare(ray)?;
         let four_rays = FourRays::new(&ray);
         let packs = self.packs.iter().zip((0..).step_by(LANES));
-        packs.filter(|(pack, _)| !pack.all_missed(&four_rays)).find_map(|(_, first)| {
+        packs.filter(|(pack, _)| pack.candidates(&four_rays) != 0).find_map(|(_, first)| {
             let four = (first..).zip(self.corners[first..].iter().take(LANES));
             four.into_iter().find(|(_, it)| ray.hit(it, t_max).is_some()).map(|(index, _)| index)
         })
@@ -97,6 +97,7 @@ impl Pack {
     }
 
     /// The corners of one of the triangles.
+    #[inline]
     pub fn triangle(&self, lane: usize) -> [Vec3; 3] {
         self.corners.map(|corner| Vec3::from(corner.map(|four| four[lane])))
     }
@@ -177,10 +178,11 @@ mod tests {
     use glam::Vec3;
     use ray_casting::ray::Ray;
 
-    use super::Packed;
+    use super::{FourRays, Pack, Packed};
     use crate::brute::nearest;
     use crate::bumpy;
     use crate::hard::aimed::NEAR;
+    use crate::intersect::TriangleTest;
     use crate::watertight::ShearedRay;
 
     #[test]
@@ -196,6 +198,25 @@ mod tests {
                     let one = nearest::<ShearedRay>(&corners, &aim.ray, f32::INFINITY);
                     assert_eq!(packed.nearest(&aim.ray, f32::INFINITY), one);
                 }
+            }
+        }
+    }
+
+    #[test]
+    fn one_of_four_is_the_triangle_it_was() {
+        let corners = bumpy::sphere(96).all_corners();
+        let ray = Ray { origin: Vec3::new(0.1, 0.2, 0.3), direction: Vec3::new(-2.0, 0.5, 1.0) };
+        let sheared = ShearedRay::prepare(&ray).expect("an ordinary ray");
+        let four_rays = FourRays::new(&sheared);
+        for four in corners.chunks(4) {
+            let pack = Pack::new(four);
+            for (lane, corners) in four.iter().enumerate() {
+                assert_eq!(pack.triangle(lane), *corners);
+                let hit = sheared.hit(corners, f32::INFINITY);
+                let candidate = pack.candidates(&four_rays) >> lane & 1 == 1;
+                assert!(candidate || hit.is_none());
+                let measured = sheared.measure(pack.sheared(lane, &four_rays), f32::INFINITY);
+                assert_eq!(measured, hit);
             }
         }
     }

@@ -1,6 +1,7 @@
 //! Building: cut the items in two, and each part again.
 
 use boxes::aabb::Aabb;
+use triangles::lanes::LANES;
 
 use crate::item::{Item, Span};
 use crate::node::Node;
@@ -27,8 +28,13 @@ pub struct Recipe {
     pub split: Split,
     /// The most items in a leaf, at least 1.
     pub leaf: usize,
-    /// How many items are asked for the price of one, at least 1.
+    /// How many items are asked for the price of one: a power of two.
     pub together: u32,
+}
+
+impl Recipe {
+    /// For triangles that are asked four at a time: by surface area, up to four a leaf.
+    pub const TRIANGLES: Self = Self { split: Split::Sah, leaf: LANES, together: LANES as u32 };
 }
 
 impl Default for Recipe {
@@ -71,7 +77,8 @@ impl Recipe {
             bounds.add(item);
             centers.add_point(item.center());
         }
-        let Some(middle) = cut(items, &bounds, &centers, self.split, self.limits(level)) else {
+        let middle = self.limits(level).and_then(|limits| cut(items, &bounds, &centers, self.split, limits));
+        let Some(middle) = middle else {
             return Node { bounds: bounds.aabb(), first: place as u32, count: items.len() as u32 };
         };
         let (left, right) = items.split_at_mut(middle);
@@ -100,11 +107,12 @@ impl Recipe {
         (self.grow(part, &mut below), below)
     }
 
-    /// What a cut at this level may do.
-    fn limits(&self, level: u32) -> Limits {
-        let (leaf, levels) = (self.leaf.max(1), DEPTH.saturating_sub(level + 1));
-        let most = if levels < usize::BITS { leaf.checked_mul(1 << levels) } else { None };
-        Limits { leaf, together: self.together.max(1), most: most.unwrap_or(usize::MAX) }
+    /// What a cut of a node at this level may do; None on the lowest, where no more is needed.
+    fn limits(&self, level: u32) -> Option<Limits> {
+        let (leaf, below) = (self.leaf.max(1), DEPTH.checked_sub(level + 1)?);
+        let most = leaf.checked_mul(1_usize.checked_shl(below).unwrap_or(usize::MAX));
+        let together = self.together.max(1).next_power_of_two();
+        Some(Limits { leaf, together, most: most.unwrap_or(usize::MAX) })
     }
 }
 

@@ -1,2 +1,2 @@
 //! Chapter 10.
-pub mod bins; pub mod build; pub mod item; pub mod node; pub mod split; pub mod tree; pub mod pairs; pub mod triangles;
+mod bins; pub mod build; mod item; pub mod node; pub mod packed; mod pairs; pub mod plain; pub mod quality; pub mod seam; pub mod split; pub mod tree;

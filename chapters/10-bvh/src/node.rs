@@ -32,6 +32,12 @@ impl Node {
         [self.first as usize, self.first as usize + 1]
     }
 
+    /// The place of its children in a list of pairs that leaves out the root; of an inner node only.
+    #[inline]
+    pub(crate) fn pair(&self) -> usize {
+        (self.first as usize - 1) / 2
+    }
+
     /// The places of its items in the order; of a leaf only.
     #[inline]
     pub fn items(&self) -> std::ops::Range<usize> {

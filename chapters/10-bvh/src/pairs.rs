@@ -1,49 +1,65 @@
 //! Both children at once: the tree in a layout the processor likes.
 
+use std::ops::Range;
+
 use boxes::aabb::Aabb;
 use boxes::slab::{BoxRay, FaceRay};
 use glam::{Vec4, Vec4Swizzles};
 
-/// Where a branch of the tree leads.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+/// Where a branch of the tree leads: to a pair of nodes, or to the groups of items in a leaf.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Branch(u32);
 
+/// The bit that says that it is a leaf.
 const LEAF: u32 = 1 << 31;
-const GROUPS: u32 = 27;
+/// The bits for the place of a leaf's first group.
+const PLACE: u32 = 27;
+/// The most groups in a leaf: what four bits can count.
+pub(crate) const MOST_GROUPS: usize = 16;
 
 impl Branch {
     /// To the pair at this place.
     pub(crate) fn to_pair(place: usize) -> Self {
         Self(place as u32)
     }
-    /// To `count` groups of items, 1 to 16, from this place on.
+
+    /// To 1 to [`MOST_GROUPS`] groups of items, from this place on.
     pub(crate) fn to_leaf(place: usize, count: usize) -> Self {
-        Self(LEAF | (count as u32 - 1) << GROUPS | place as u32)
+        debug_assert!((1..=MOST_GROUPS).contains(&count) && place < 1 << PLACE);
+        Self(LEAF | (count as u32 - 1) << PLACE | place as u32)
     }
+
+    /// The place of the pair, if it leads to one.
     #[inline]
     pub(crate) fn pair(self) -> Option<usize> {
         (self.0 & LEAF == 0).then_some(self.0 as usize)
     }
+
+    /// The places of the leaf's groups, if it leads to some.
     #[inline]
-    pub(crate) fn groups(self) -> std::ops::Range<usize> {
-        let place = (self.0 & ((1 << GROUPS) - 1)) as usize;
-        let count = ((self.0 & !LEAF) >> GROUPS) as usize;
-        place..place + count + 1
+    pub(crate) fn groups(self) -> Range<usize> {
+        let place = (self.0 & ((1 << PLACE) - 1)) as usize;
+        let more = ((self.0 & !LEAF) >> PLACE) as usize;
+        place..place + more + 1
     }
 }
 
-/// Two boxes side by side, and where they lead.
+// ANCHOR: pair
+/// The boxes of two children, side by side, and where they lead. It fills one line of the
+/// processor's cache: whoever reads a part of it has the whole.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C, align(64))]
 pub(crate) struct Pair {
-    /// For each axis: the lower planes of both, and the upper planes of both, negated.
-    pub(crate) planes: [Vec4; 3],
+    /// For each axis the least coordinates of both boxes, then the greatest of both, negated.
+    planes: [Vec4; 3],
+    /// Where they lead.
     pub(crate) branches: [Branch; 2],
 }
+// ANCHOR_END: pair
 
 impl Pair {
-    pub(crate) fn new(boxes: [Aabb; 2], branches: [Branch; 2]) -> Self {
-        let [a, b] = boxes;
+    /// Two boxes and where they lead.
+    pub(crate) fn new([a, b]: [Aabb; 2], branches: [Branch; 2]) -> Self {
         let planes = [0, 1, 2]
             .map(|axis| Vec4::new(a.min[axis], b.min[axis], -a.max[axis], -b.max[axis]));
         Self { planes, branches }
@@ -58,8 +74,17 @@ pub(crate) struct PairRay {
     downward: [bool; 3],
 }
 
+/// What a ray does with two boxes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Entered {
+    /// Where it enters them.
+    pub(crate) at: [f32; 2],
+    /// Which of them it meets, a bit for each.
+    pub(crate) which: u32,
+}
+
 impl PairRay {
-    /// The same as `ray`, in the layout of a [`Pair`].
+    /// The same ray in the layout of a [`Pair`].
     #[inline]
     pub(crate) fn new(ray: &BoxRay) -> Self {
         let FaceRay { downward, min_origin, max_origin, min_inverse, max_inverse } = ray.by_face();
@@ -77,14 +102,22 @@ impl PairRay {
         }
     }
 
-    /// Where both boxes are entered, and which are, a bit for each.
-    #[inline(always)]
-    pub(crate) fn enter(&self, pair: &Pair, t_max: f32) -> (Vec4, u32) {
+    // ANCHOR: enter
+    /// What [`BoxRay::enter`] says of both boxes.
+    ///
+    /// With the far planes negated, a lane holds where the ray enters a slab, or minus where it
+    /// leaves it, and one maximum finds both the last entry and the first exit. A ray that runs
+    /// downwards meets the upper plane first: there the halves change places.
+    #[inline]
+    pub(crate) fn enter(&self, pair: &Pair, t_max: f32) -> Entered {
         let [x, y, z] = [0, 1, 2].map(|axis| {
             let passed = (pair.planes[axis] - self.origin[axis]) * self.inverse[axis];
             if self.downward[axis] { passed.zwxy() } else { passed }
         });
-        let last = x.max(y).max(z.max(Vec4::new(0.0, 0.0, -t_max, -t_max)));
-        (last, last.cmple(-last.zwxy()).bitmask() & 3)
+        let ends = Vec4::new(0.0, 0.0, -t_max, -t_max);
+        let last = x.max(y).max(z.max(ends));
+        let which = last.cmple(-last.zwxy()).bitmask() & 0b11;
+        Entered { at: [last.x, last.y], which }
     }
+    // ANCHOR_END: enter
 }

@@ -3,7 +3,9 @@
 use common::chapter::Failure;
 use common::math;
 use common::sampler::Stream;
+use common::tally::Off;
 use glam::{Vec2, Vec3};
+use partitions::accelerator::Accelerator;
 use ray_casting::camera::Camera;
 use ray_casting::ray::Ray;
 use triangles::scene::MeshScene;
@@ -56,7 +58,7 @@ impl Workload {
         let tree = Ours::build(&corners);
         let (mut bounce, mut shadow) = (Vec::new(), Vec::new());
         for (pixel, Limited { ray, t_max }) in (0..).zip(&primary) {
-            let Some(found) = tree.tree.nearest(ray, *t_max) else { continue };
+            let Some(found) = tree.tree.nearest(ray, *t_max, &mut Off) else { continue };
             let triangle = corners[found.index];
             let Some(normal) = geometric_normal(&triangle) else { continue };
             let normal = if normal.dot(ray.direction) > 0.0 { -normal } else { normal };

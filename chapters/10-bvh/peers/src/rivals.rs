@@ -3,7 +3,9 @@
 use std::time::Duration;
 
 use bvh_chapter::build::Recipe;
-use bvh_chapter::triangles::TriangleBvh;
+use bvh_chapter::packed::PackedBvh;
+use common::tally::Off;
+use partitions::accelerator::Accelerator;
 use glam::{Vec3, Vec3A};
 use nalgebra::{Point3, Vector3};
 use obvhs::BvhBuildParams;
@@ -35,28 +37,28 @@ pub trait Rival: Sized {
 /// This chapter's.
 pub struct Ours {
     /// The tree.
-    pub tree: TriangleBvh,
+    pub tree: PackedBvh,
 }
 
 impl Rival for Ours {
     const NAME: &'static str = "ours";
 
     fn build(corners: &[[Vec3; 3]]) -> Self {
-        Self { tree: TriangleBvh::new(corners, &Recipe { split: bvh_chapter::split::Split::Sah, leaf: 4, together: 4 }) }
+        Self { tree: PackedBvh::new(corners, &Recipe::TRIANGLES) }
     }
 
     #[inline]
     fn nearest(&self, ray: &Limited) -> f32 {
-        self.tree.nearest(&ray.ray, ray.t_max).map_or(f32::INFINITY, |found| found.hit.t)
+        self.tree.nearest(&ray.ray, ray.t_max, &mut Off).map_or(f32::INFINITY, |found| found.hit.t)
     }
 
     #[inline]
     fn any(&self, ray: &Limited) -> bool {
-        self.tree.nearest(&ray.ray, ray.t_max).is_some()
+        self.tree.is_hit(&ray.ray, ray.t_max, &mut Off)
     }
 
     fn bytes(&self) -> usize {
-        self.tree.bytes()
+        self.tree.statistics().bytes
     }
 }
 
