@@ -1,6 +1,7 @@
 //! A surface under several lamps, each of which may be hidden.
 
 use blinn_phong::light::{Arriving, Light};
+use blinn_phong::picture::LIGHT_SAMPLES;
 use common::film::Color;
 use common::tally::Tally;
 use glam::Vec3;
@@ -19,6 +20,7 @@ const HORIZON: f32 = gamma(16);
 /// what it makes of one lamp's.
 ///
 /// With `SHADOWS` false no lamp is ever hidden. That is chosen before the first ray.
+#[inline]
 pub fn from_lamps<const SHADOWS: bool, T: Tally>(
     scene: &(impl Occluder + ?Sized),
     lights: &[Light],
@@ -27,15 +29,31 @@ pub fn from_lamps<const SHADOWS: bool, T: Tally>(
     tally: &mut T,
     returned: impl Fn(&Arriving) -> Color,
 ) -> Color {
+    sum_of_lamps(lights, hit, toward_eye, tally, returned, |light, tally| {
+        !SHADOWS || reaches(scene, light, hit, tally)
+    })
+}
+
+/// The same, where `reaches` says of a lamp whether it is to be seen.
+#[inline]
+pub fn sum_of_lamps<T: Tally>(
+    lights: &[Light],
+    hit: &Hit,
+    toward_eye: Vec3,
+    tally: &mut T,
+    returned: impl Fn(&Arriving) -> Color,
+    reaches: impl Fn(&Light, &mut T) -> bool,
+) -> Color {
     let mut sum = Color::ZERO;
     for light in lights {
+        tally.count(LIGHT_SAMPLES, 1);
         let Some(arriving) = light.at(hit.point) else { continue };
         if !same_side(hit, toward_eye, arriving.toward) {
             continue;
         }
         let color = returned(&arriving);
         // What adds nothing needs no ray.
-        if color != Color::ZERO && (!SHADOWS || reaches(scene, light, hit, tally)) {
+        if color != Color::ZERO && reaches(light, tally) {
             sum += color;
         }
     }
@@ -53,6 +71,7 @@ fn same_side(hit: &Hit, toward_eye: Vec3, toward_light: Vec3) -> bool {
 }
 // ANCHOR_END: same_side
 
+// ANCHOR: reaches
 /// Whether nothing hides the lamp from the surface.
 pub fn reaches<T: Tally>(
     scene: &(impl Occluder + ?Sized),
@@ -65,3 +84,4 @@ pub fn reaches<T: Tally>(
         Light::Directional { toward, .. } => open(scene, hit, toward, tally),
     }
 }
+// ANCHOR_END: reaches

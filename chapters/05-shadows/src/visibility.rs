@@ -12,6 +12,8 @@ use crate::spawn::{spawn, spawn_far};
 
 /// Rays that ask whether something is in the way.
 pub const SHADOW_RAYS: Event = Event::new(5, 0, "shadow_rays");
+/// Those of them that found something.
+pub const BLOCKED_RAYS: Event = Event::new(5, 1, "blocked_rays");
 
 // ANCHOR: end
 /// One end of a line of sight.
@@ -35,8 +37,20 @@ pub fn visible<T: Tally>(
     other: End,
     tally: &mut T,
 ) -> bool {
+    free(scene, &between(one, other), 1.0, tally)
+}
+
+/// Whether nothing of `scene` is on the ray before `t_max`. Every shadow ray is counted here.
+pub(crate) fn free<T: Tally>(
+    scene: &(impl Occluder + ?Sized),
+    ray: &Ray,
+    t_max: f32,
+    tally: &mut T,
+) -> bool {
+    let blocked = scene.blocks(ray, t_max, tally);
     tally.count(SHADOW_RAYS, 1);
-    !scene.blocks(&between(one, other), 1.0, tally)
+    tally.count(BLOCKED_RAYS, u64::from(blocked));
+    !blocked
 }
 // ANCHOR_END: visible
 
@@ -47,8 +61,7 @@ pub fn open<T: Tally>(
     direction: Vec3,
     tally: &mut T,
 ) -> bool {
-    tally.count(SHADOW_RAYS, 1);
-    !scene.blocks(&Ray { origin: spawn(hit, direction), direction }, f32::INFINITY, tally)
+    free(scene, &Ray { origin: spawn(hit, direction), direction }, f32::INFINITY, tally)
 }
 
 // ANCHOR: between
