@@ -79,6 +79,14 @@ pub const CASES: &[Case] = &[
         naive_fails: scan::straddling_naive,
         robust_fails: scan::straddling_robust,
     },
+    Case {
+        id: "BX-03",
+        chapter: CHAPTER,
+        input: "edges and vertices, near and far",
+        most: UNLIMITED,
+        naive_fails: scan::edge_naive,
+        robust_fails: scan::edge_robust,
+    },
 ];
 
 #[cfg(test)]

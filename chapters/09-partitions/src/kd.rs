@@ -3,7 +3,7 @@
 //! Bentley, "Multidimensional Binary Search Trees Used for Associative Searching" (Communications
 //! of the ACM 18(9), 1975).
 
-use common::tally::Tally;
+use common::tally::{Off, Tally};
 use glam::Vec3;
 use ray_casting::ray::Ray;
 
@@ -13,6 +13,7 @@ use crate::median::median;
 use crate::plane_tree::{Node, PlaneTree};
 use crate::plant::{Cell, Plane, plant};
 use crate::surface_area::cheapest;
+use crate::wide::WideRay;
 
 // ANCHOR: kd
 /// A k-d tree: by the medians of triangles, or by surface area.
@@ -38,6 +39,11 @@ impl KdTree {
             Split::Sah => cheapest,
         };
         Self(plant(triangles, Vec3::AXES, |_| Vec3::ZERO, choose))
+    }
+
+    /// Puts `question` to the leaves along a ray of any width.
+    pub(crate) fn walk_wide(&self, ray: &WideRay, question: &mut impl Question) {
+        self.0.walk(ray, question, &mut Off);
     }
 
     /// The node at this place; the root's is 0.
@@ -73,7 +79,7 @@ impl Accelerator for KdTree {
     }
 
     fn walk<Q: Question, T: Tally>(&self, ray: &Ray, question: &mut Q, tally: &mut T) {
-        self.0.walk(ray, question, tally);
+        self.0.walk(&self.0.wide(ray), question, tally);
     }
 
     fn statistics(&self) -> Statistics {

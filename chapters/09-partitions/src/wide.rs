@@ -39,15 +39,19 @@ pub struct WideRay {
 impl WideRay {
     /// The finite `ray`, which has a direction, among triangles within `bounds`.
     pub fn new(ray: &Ray, bounds: &Aabb) -> Self {
-        let Ray { origin, direction } = *ray;
-        let longest = direction.abs().max_element();
-        let (below, above) = (bounds.min - origin, bounds.max - origin);
+        let (below, above) = (bounds.min - ray.origin, bounds.max - ray.origin);
         let farthest = below.abs().max(above.abs()).max_element();
         // Where products are too small for f32 their errors are no longer a part of anything.
-        let width = WIDTH * farthest + f32::MIN_POSITIVE;
-        Self { origin, slope: direction / longest, width, longest }
+        Self::of_width(ray, WIDTH * farthest + f32::MIN_POSITIVE)
     }
     // ANCHOR_END: wide_ray
+
+    /// The same with a width of the caller's choice.
+    pub(crate) fn of_width(ray: &Ray, width: f32) -> Self {
+        let Ray { origin, direction } = *ray;
+        let longest = direction.abs().max_element();
+        Self { origin, slope: direction / longest, width, longest }
+    }
 
     // ANCHOR: reach
     /// How far along the longest axis a hit at `t` is at most; always finite. Between `t` and this
