@@ -3,6 +3,7 @@
 pub mod accelerator;
 pub mod bsp;
 pub mod cells;
+pub mod exercises;
 pub mod grid;
 pub mod hard;
 pub mod heat;
