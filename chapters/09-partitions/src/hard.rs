@@ -3,6 +3,8 @@
 //! Each trial makes its input from its number. What decides is independent of both formulas: the
 //! linear scan over the same triangles, whole numbers, or `f64` from the same inputs.
 
+#[cfg(test)]
+mod builds;
 mod cells;
 mod places;
 pub(crate) mod rays;
