@@ -16,8 +16,11 @@ use crate::naive::{
 };
 use crate::slab::BoxRay;
 
-/// Rays and boxes of one run; each ray is asked about one box.
-const PAIRS: u64 = 4096;
+/// Boxes that one ray is asked about in a row, as in a tree: so a form that jumps by the direction's
+/// signs jumps the same way each time, which a processor can guess.
+const IN_A_ROW: u64 = 32;
+/// Rays and boxes of one run.
+const PAIRS: u64 = 128 * IN_A_ROW;
 /// How often a run asks all of them, to be long enough for a clock.
 const REPEATS: u64 = 16;
 /// Rays with zeros of either sign.
@@ -135,23 +138,29 @@ fn method(label: &'static str, error: f64, count: impl Fn() -> usize + 'static) 
     }
 }
 
-/// Rays in no order, half of them at the box they are asked about, as in a tree.
+/// Rays, and for each some boxes in no order, of which it is aimed at half.
 fn pairs() -> Pairs {
-    let scene = Aabb { min: Vec3::splat(-4.0), max: Vec3::splat(4.0) };
+    let scene = Aabb { min: Vec3::splat(-7.0), max: Vec3::splat(7.0) };
     let mut pairs = Pairs { plain: Vec::new(), ready: Vec::new(), boxes: Vec::new() };
     for number in 0..PAIRS {
-        let mut stream = Stream::of_trial(891, number);
-        let mut point = |side: f32| {
-            let mut component = || stream.between(-side, side);
-            Vec3::new(component(), component(), component())
-        };
-        let (middle, half, origin) = (point(3.0), point(1.0).abs(), point(6.0));
-        let bounds = Aabb { min: middle - half, max: middle + half };
-        let target = if number % 2 == 0 { middle } else { point(4.0) };
+        let [mut of_ray, mut of_box] =
+            [(892, number / IN_A_ROW), (891, number)].map(|(seed, at)| Stream::of_trial(seed, at));
+        let (origin, target) = (point(&mut of_ray, 6.0), point(&mut of_ray, 3.0));
         let ray = Ray { origin, direction: target - origin };
+        let half = point(&mut of_box, 1.0).abs();
+        // On the ray, or anywhere.
+        let on_ray = origin + of_box.uniform() * ray.direction + half * point(&mut of_box, 0.9);
+        let middle = if number % 2 == 0 { on_ray } else { point(&mut of_box, 4.0) };
         pairs.plain.push(PlainRay::from(&ray));
         pairs.ready.push(BoxRay::new(&ray, &scene));
-        pairs.boxes.push(bounds);
+        pairs.boxes.push(Aabb { min: middle - half, max: middle + half });
     }
     pairs
+}
+
+/// A point of the cube from -`side` to `side`.
+fn point(stream: &mut Stream, side: f32) -> Vec3 {
+    let x = stream.between(-side, side);
+    let y = stream.between(-side, side);
+    Vec3::new(x, y, stream.between(-side, side))
 }

@@ -19,14 +19,14 @@ const SIDE: u32 = 320;
 const GAP: u32 = 8;
 const LOST: Color = Color::new(1.0, 0.0, 0.1);
 
-/// How near to an edge a ray must come to be aimed at it, as a barycentric weight.
-const NEAR_EDGE: f32 = 0.06;
+/// How near to a corner a ray must come to be aimed at it, as a barycentric weight.
+const NEAR_CORNER: f32 = 0.72;
 
 /// A bumpy sphere, each triangle behind a box of its own, twice: unpadded and ours. A ray that passes
-/// near an edge is aimed anew, at the edge itself. Where the box of what it then hits isn't met, the
-/// pixel is red.
+/// near a corner is aimed anew, at the corner itself. Where the box of what it then hits isn't met,
+/// the pixel is red.
 pub fn picture() -> Option<Film> {
-    let mesh = bumpy::sphere(960);
+    let mesh = bumpy::sphere(1400);
     let (packed, scene) = (Packed::new(mesh.all_corners()), mesh.bounds());
     let eye = Vec3::new(0.6, 0.8, 2.9);
     let view = View { eye, target: Vec3::ZERO, up: Vec3::Y, vertical_fov: 45.0 };
@@ -58,7 +58,7 @@ impl Stage {
         let ray = self.camera.ray(Vec2::new(x as f32 + 0.5, y as f32 + 0.5));
         let Some(found) = self.packed.nearest(&ray, f32::INFINITY) else { return Color::ONE };
         let normal = surface::normal::<false>(&self.mesh, found.index, found.hit.barycentric);
-        let aimed = self.at_edge(&ray, &found);
+        let aimed = self.at_corner(&ray, &found);
         let Some(hit) = self.packed.nearest(&aimed, f32::INFINITY) else { return Color::ONE };
         if meets(&aimed, &self.mesh.corners(hit.index).bounds()) {
             (normal + Vec3::ONE) / 2.0
@@ -67,16 +67,13 @@ impl Stage {
         }
     }
 
-    /// The ray at the nearest edge of the triangle it hits; the ray itself where none is near.
-    fn at_edge(&self, ray: &Ray, found: &Found) -> Ray {
+    /// The ray at the nearest corner of the triangle it hits; the ray itself where none is near.
+    fn at_corner(&self, ray: &Ray, found: &Found) -> Ray {
         let weights = found.hit.barycentric;
-        let least = weights.min_element();
-        if least >= NEAR_EDGE {
+        if weights.max_element() < NEAR_CORNER {
             return *ray;
         }
-        let on_edge = weights.map(|weight| if weight == least { 0.0 } else { weight });
-        let target =
-            surface::between(self.mesh.corners(found.index), on_edge / on_edge.element_sum());
-        Ray { direction: target - ray.origin, ..*ray }
+        let corner = self.mesh.corners(found.index)[weights.max_position()];
+        Ray { direction: corner - ray.origin, ..*ray }
     }
 }

@@ -28,8 +28,8 @@ pub fn glam_vectors(ray: &PlainRay, bounds: &Aabb, t_max: f32) -> bool {
     enter <= leave
 }
 
-/// Tavian Barnes, "Fast, Branchless Ray/Bounding Box Intersections, Part 2: NaNs" (2015), which looks
-/// at a NaN on any axis but the first; and which asks for more than a touch at the end.
+/// Tavian Barnes, "Fast, Branchless Ray/Bounding Box Intersections, Part 2: NaNs" (2015). Here the box
+/// doesn't own its faces: a ray in the plane of one is a miss, on purpose and always.
 pub fn tavian_2015(ray: &PlainRay, bounds: &Aabb, t_max: f32) -> bool {
     let faces = |axis: usize| {
         let a = (bounds.min[axis] - ray.origin[axis]) * ray.inverse[axis];
