@@ -1,13 +1,18 @@
 //! The chapters the book can run, in their order.
 
+use boxes::command::Boxes;
 use common::chapter::Entry;
 use object_order::command::ObjectOrder;
 use ray_casting::command::RayCasting;
 use triangles::command::Triangles;
 
 /// Every chapter; a new one is added at the end.
-pub const CHAPTERS: &[Entry] =
-    &[Entry::of::<RayCasting>(), Entry::of::<Triangles>(), Entry::of::<ObjectOrder>()];
+pub const CHAPTERS: &[Entry] = &[
+    Entry::of::<RayCasting>(),
+    Entry::of::<Triangles>(),
+    Entry::of::<ObjectOrder>(),
+    Entry::of::<Boxes>(),
+];
 
 /// The chapter that a reader calls `name`: "1", "01", "01-ray-casting" or "ray-casting".
 pub fn find<'a>(chapters: &'a [Entry], name: &str) -> Option<&'a Entry> {

@@ -37,7 +37,7 @@ pub struct BoxRay {
 /// by 1 u each; the sphere and the quad of chapter 1 take up to 14 u. See the page of chapter 8.
 pub const PAD: f32 = 8.0 * f32::EPSILON;
 
-/// How much a reciprocal is changed, as a part of it: 6 u, of which five roundings take 5.
+/// How much a reciprocal is changed, as a part of it: 6 u, of which four roundings take 4.
 ///
 /// Ize, "Robust BVH Ray Traversal" (Journal of Computer Graphics Techniques 2(2), 2013), widens the
 /// interval by such a factor for each box. Moving the reciprocals instead is Embree's way (its flag

@@ -12,6 +12,15 @@ pub const CELL_STEPS: Event = Event::new(9, 0, "cell_steps");
 /// Nodes of a tree that a ray was in, leaves included.
 pub const NODE_VISITS: Event = Event::new(9, 1, "node_visits");
 
+/// Triangles that a structure was given.
+pub const TRIANGLES: Event = Event::new(9, 2, "triangles");
+/// Triangles that it stores, each as often as it is stored.
+pub const TRIANGLES_STORED: Event = Event::new(9, 3, "triangles_stored");
+/// Its nodes or cells.
+pub const STRUCTURE_NODES: Event = Event::new(9, 4, "structure_nodes");
+/// Its memory.
+pub const STRUCTURE_BYTES: Event = Event::new(9, 5, "structure_bytes");
+
 /// How often a structure stores a triangle at most, on average, whatever the triangles are. Where
 /// cutting on would take more, it isn't done: memory has an end, and slow is better than none.
 pub const MOST_COPIES: f32 = 8.0;
@@ -73,6 +82,14 @@ pub struct Statistics {
 // ANCHOR_END: statistics
 
 impl Statistics {
+    /// Counts what the structure is made of, once for a picture.
+    pub fn count(&self, tally: &mut impl Tally) {
+        tally.count(TRIANGLES, self.triangles as u64);
+        tally.count(TRIANGLES_STORED, self.references as u64);
+        tally.count(STRUCTURE_NODES, self.nodes as u64);
+        tally.count(STRUCTURE_BYTES, self.bytes as u64);
+    }
+
     /// How often a triangle that is stored at all is stored on average; 0 where there are none.
     pub fn copies(&self) -> f64 {
         self.references as f64 / (self.triangles - self.left_out).max(1) as f64

@@ -62,7 +62,7 @@ impl Accelerator for BspTree {
     }
 
     fn walk<Q: Question, T: Tally>(&self, ray: &Ray, question: &mut Q, tally: &mut T) {
-        self.0.walk(ray, question, tally);
+        self.0.walk(&self.0.wide(ray), question, tally);
     }
 
     fn statistics(&self) -> Statistics {

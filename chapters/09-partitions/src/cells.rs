@@ -81,3 +81,57 @@ fn cube_root(value: f32) -> f32 {
 
 /// The most cells along a side.
 pub const MOST_A_SIDE: i32 = 1024;
+
+#[cfg(test)]
+mod tests {
+    use super::{MOST_A_SIDE, Side, cubes};
+
+    /// AC-09: every one of 65,536 floats from each end inward has a cell that is there, and a greater
+    /// one never gets a lesser cell.
+    #[test]
+    fn every_float_at_the_ends_has_a_cell() {
+        for (low, high) in
+            [(0.0_f32, 1.0), (1e6, 1e6 + 1.0), (-3.0, 5.5), (-1e-40, 1e-38), (0.3, 7e37)]
+        {
+            for count in [1, 3, 64, 300] {
+                let side = Side::new(low, high, count);
+                let (mut up, mut down) = (low, high);
+                for _ in 0..65_536 {
+                    let [first, last] = [up, down].map(|place| side.index(place));
+                    (up, down) = (up.next_up(), down.next_down());
+                    assert!(first >= 0 && last < count);
+                    assert!(first <= side.index(up) && last >= side.index(down));
+                }
+                assert_eq!([side.index(low), side.index(high)], [0, side.count - 1]);
+            }
+        }
+    }
+
+    #[test]
+    fn what_is_outside_belongs_to_an_end_and_nonsense_to_the_first_cell() {
+        let side = Side::new(2.0, 4.0, 8);
+        let outside = [f32::NEG_INFINITY, -1e30, 1.9, 4.1, 1e30, f32::INFINITY, f32::NAN];
+        assert_eq!(outside.map(|place| side.index(place)), [0, 0, 0, 7, 7, 7, 0]);
+        assert_eq!((side.border(3, 0.5), side.border(8, 0.0)), (2.25, 4.0));
+    }
+
+    #[test]
+    fn a_side_too_short_or_too_long_is_one_cell() {
+        for (low, high) in [(1.0, 1.0), (0.0, 1e-45), (-f32::MAX, f32::MAX), (-0.0, 0.0)] {
+            let side = Side::new(low, high, 100);
+            assert_eq!((side.count, side.index(low), side.index(high)), (1, 0, 0));
+        }
+    }
+
+    #[test]
+    fn cubes_of_a_lopsided_box_a_plate_a_rod_and_a_point() {
+        // 2 by 4 by 8 in 512 cubes of edge 1/2.
+        assert_eq!(cubes([4.0, 2.0, 8.0], 512.0), [8, 4, 16]);
+        assert_eq!(cubes([3.0, 0.0, 12.0], 100.0), [5, 1, 20]);
+        assert_eq!(cubes([3.0, 1e-20, 12.0], 100.0), [5, 1, 20]);
+        assert_eq!(cubes([0.0, 5.0, 0.0], 77.0), [1, 77, 1]);
+        assert_eq!(cubes([0.0; 3], 1000.0), [1; 3]);
+        assert_eq!(cubes([1e38; 3], 1e30), [MOST_A_SIDE; 3]);
+        assert_eq!(cubes([f32::INFINITY, 1.0, 1.0], 1000.0), [1; 3]);
+    }
+}

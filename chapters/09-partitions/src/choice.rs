@@ -38,3 +38,26 @@ impl AccelChoice {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use clap::ValueEnum;
+    use glam::Vec3;
+    use ray_casting::ray::Ray;
+    use triangles::bumpy;
+
+    use super::AccelChoice;
+
+    #[test]
+    fn every_choice_makes_the_same_shape() {
+        let mesh = bumpy::sphere(500);
+        let ray = Ray::new(Vec3::new(0.3, 2.0, 4.0), Vec3::new(0.1, -2.0, -4.0)).expect("finite");
+        let expected = AccelChoice::Brute.shape()(mesh.clone()).hit(&ray, f32::INFINITY);
+        assert!(expected.is_some());
+        for choice in AccelChoice::value_variants() {
+            let shape = choice.shape()(mesh.clone());
+            assert_eq!(shape.hit(&ray, f32::INFINITY), expected, "{choice:?}");
+            assert!(shape.is_hit(&ray, f32::INFINITY) && !shape.is_hit(&ray, 1.0));
+        }
+    }
+}

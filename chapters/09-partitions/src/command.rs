@@ -18,7 +18,10 @@ use triangles::mesh::Mesh;
 use triangles::picture::{Depths, Picture, SMOOTH_NORMALS};
 use triangles::scene::{self, MeshScene};
 
-use crate::accelerator::{Accelerator, CELL_STEPS, NODE_VISITS};
+use crate::accelerator::{
+    Accelerator, CELL_STEPS, NODE_VISITS, STRUCTURE_BYTES, STRUCTURE_NODES, TRIANGLES,
+    TRIANGLES_STORED,
+};
 use crate::bsp::BspTree;
 use crate::choice::AccelChoice;
 use crate::grid::Grid;
@@ -93,8 +96,17 @@ impl Chapter for Partitions {
         Skill { effect: Effect::PrimaryVisibility, unless: "the scene is empty" },
         Skill { effect: Effect::SmoothNormals, unless: "the picture shows no vertex normals" },
     ];
-    const EVENTS: &'static [Event] =
-        &[CAMERA_RAYS, CELL_STEPS, NODE_VISITS, TRIANGLE_TESTS, SMOOTH_NORMALS];
+    const EVENTS: &'static [Event] = &[
+        TRIANGLES,
+        TRIANGLES_STORED,
+        STRUCTURE_NODES,
+        STRUCTURE_BYTES,
+        CAMERA_RAYS,
+        CELL_STEPS,
+        NODE_VISITS,
+        TRIANGLE_TESTS,
+        SMOOTH_NORMALS,
+    ];
 
     type Knobs = Knobs;
     type Scene = Stage;
@@ -128,12 +140,13 @@ impl Chapter for Partitions {
         settings: &Settings,
         knobs: &Knobs,
     ) -> Rendering<T> {
+        let smooth = plan.simulates(Effect::SmoothNormals);
         match &stage.structure {
-            Structure::Brute(scan) => drawn(stage, scan, plan, settings, knobs.view),
-            Structure::Grid(grid) => drawn(stage, grid, plan, settings, knobs.view),
-            Structure::Octree(tree) => drawn(stage, tree, plan, settings, knobs.view),
-            Structure::Kd(tree) => drawn(stage, tree, plan, settings, knobs.view),
-            Structure::Bsp(tree) => drawn(stage, tree, plan, settings, knobs.view),
+            Structure::Brute(scan) => drawn(stage, scan, smooth, settings, knobs.view),
+            Structure::Grid(grid) => drawn(stage, grid, smooth, settings, knobs.view),
+            Structure::Octree(tree) => drawn(stage, tree, smooth, settings, knobs.view),
+            Structure::Kd(tree) => drawn(stage, tree, smooth, settings, knobs.view),
+            Structure::Bsp(tree) => drawn(stage, tree, smooth, settings, knobs.view),
         }
     }
 
@@ -164,18 +177,20 @@ impl Structure {
 fn drawn<T: Tally>(
     stage: &Stage,
     accelerator: &impl Accelerator,
-    plan: &Plan,
+    smooth: bool,
     settings: &Settings,
     view: ViewChoice,
 ) -> Rendering<T> {
     let camera = stage.camera.with_film(settings.width, settings.height);
-    let show = match view {
-        ViewChoice::Normals => Show::Normals,
-        ViewChoice::Depth => Show::Depth,
-        ViewChoice::Work => return heat::draw(accelerator, &camera, settings),
+    let shown = |show| {
+        let picture = Picture { mesh: &stage.mesh, camera, show, depths: stage.depths };
+        picture.draw(settings, smooth, |ray, tally| accelerator.nearest(ray, f32::INFINITY, tally))
     };
-    let picture = Picture { mesh: &stage.mesh, camera, show, depths: stage.depths };
-    picture.draw(settings, plan.simulates(Effect::SmoothNormals), |ray, tally| {
-        accelerator.nearest(ray, f32::INFINITY, tally)
-    })
+    let mut rendering: Rendering<T> = match view {
+        ViewChoice::Normals => shown(Show::Normals),
+        ViewChoice::Depth => shown(Show::Depth),
+        ViewChoice::Work => heat::draw(accelerator, &camera, settings),
+    };
+    accelerator.statistics().count(&mut rendering.tally);
+    rendering
 }

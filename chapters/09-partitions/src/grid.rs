@@ -201,3 +201,49 @@ impl Accelerator for Grid {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use glam::Vec3;
+    use triangles::bumpy;
+
+    use super::{CELLS_PER_TRIANGLE, Grid};
+    use crate::accelerator::{Accelerator, MOST_COPIES};
+
+    #[test]
+    fn a_grid_by_hand() {
+        let corner = |x: f32, y: f32| Vec3::new(x, y, 0.0);
+        // One triangle in the first of four cells, one in the last two.
+        let triangles = [
+            [corner(0.0, 0.0), corner(0.9, 0.0), corner(0.0, 0.5)],
+            [corner(2.1, 0.0), corner(4.0, 0.5), corner(4.0, 1.0)],
+        ];
+        let grid = Grid::with_cells(&triangles, 4);
+        assert_eq!(grid.cells(), [4, 1, 1]);
+        let held = |x| -> Vec<u32> { grid.cell([x, 0, 0]).iter().map(|it| it.index).collect() };
+        let held = [0, 1, 2, 3].map(held);
+        assert_eq!(held, [vec![0], vec![], vec![1], vec![1]]);
+        assert_eq!(grid.statistics().references, 3);
+        // Three stored triangles of 40 bytes, and five places of 4.
+        assert_eq!(grid.statistics().bytes, 3 * 40 + 5 * 4);
+    }
+
+    #[test]
+    fn the_heuristic_takes_its_number_of_cells() {
+        let triangles = bumpy::sphere(5000).all_corners();
+        let cells = Grid::build(triangles).statistics().nodes as f32;
+        let wanted = 5000.0 * CELLS_PER_TRIANGLE;
+        assert!((0.8 * wanted..1.2 * wanted).contains(&cells), "{cells}");
+    }
+
+    #[test]
+    fn long_triangles_make_the_cells_fewer() {
+        let along = |z: usize| {
+            let z = 1e-6 * z as f32;
+            [Vec3::new(0.0, 0.0, z), Vec3::new(1.0, 1.0, z), Vec3::new(0.0, 1.0, 1.0 - z)]
+        };
+        let triangles: Vec<_> = (0..3000).map(along).collect();
+        let statistics = Grid::build(triangles).statistics();
+        assert!(statistics.copies() <= f64::from(MOST_COPIES), "{statistics:?}");
+    }
+}

@@ -3,6 +3,8 @@
 //! Each trial makes its input from its number. What decides is independent of both formulas: the
 //! linear scan over the same triangles, whole numbers, or `f64` from the same inputs.
 
+#[cfg(test)]
+mod builds;
 mod cells;
 mod places;
 pub(crate) mod rays;
@@ -78,6 +80,14 @@ pub const CASES: &[Case] = &[
         most: UNLIMITED,
         naive_fails: scan::straddling_naive,
         robust_fails: scan::straddling_robust,
+    },
+    Case {
+        id: "BX-03",
+        chapter: CHAPTER,
+        input: "edges and vertices, near and far",
+        most: UNLIMITED,
+        naive_fails: scan::edge_naive,
+        robust_fails: scan::edge_robust,
     },
 ];
 

@@ -195,3 +195,90 @@ impl Iterator for Cells {
         Some(cell)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use boxes::aabb::Aabb;
+    use common::sampler::Stream;
+    use glam::Vec3;
+    use ray_casting::ray::Ray;
+
+    use super::March;
+    use crate::cells::Side;
+    use crate::wide::WideRay;
+
+    const BOUNDS: Aabb = Aabb { min: Vec3::new(-3.0, 1.0, 5.0), max: Vec3::new(3.0, 5.0, 7.0) };
+
+    /// Cells of edge 1: six by four by two.
+    fn sides() -> [Side; 3] {
+        let count = BOUNDS.size().to_array().map(|size| size as i32);
+        [0, 1, 2].map(|axis| Side::new(BOUNDS.min[axis], BOUNDS.max[axis], count[axis]))
+    }
+
+    fn cells(ray: &WideRay, t_max: f32) -> (Vec<[i32; 3]>, usize) {
+        let Some(mut march) = March::start(ray, &BOUNDS, &sides(), t_max) else {
+            return (Vec::new(), 0);
+        };
+        let (mut cells, mut steps) = (Vec::new(), 0);
+        while let Some(next) = march.next_cells() {
+            cells.extend(next);
+            steps += 1;
+        }
+        (cells, steps)
+    }
+
+    #[test]
+    fn a_way_by_hand() {
+        // In at the left, at a height of 1.6, and up by a third for each cell to the right.
+        let ray = Ray { origin: Vec3::new(-4.0, 1.2666, 6.5), direction: Vec3::new(3.0, 1.0, 0.0) };
+        let (cells, steps) = cells(&WideRay::new(&ray, &BOUNDS), f32::INFINITY);
+        let expected = [[0, 0], [1, 0], [1, 1], [2, 1], [3, 1], [4, 1], [4, 2], [5, 2]];
+        assert_eq!(cells, expected.map(|[x, y]| [x, y, 1]));
+        assert_eq!(steps, 8);
+    }
+
+    #[test]
+    fn a_limit_ends_it_and_a_miss_has_no_way() {
+        let ray = Ray { origin: Vec3::new(-4.0, 1.5, 5.5), direction: Vec3::X };
+        assert_eq!(cells(&WideRay::new(&ray, &BOUNDS), 2.5).0.len(), 2);
+        let away = Ray { direction: -Vec3::X, ..ray };
+        assert_eq!(cells(&WideRay::new(&away, &BOUNDS), f32::INFINITY).1, 0);
+    }
+
+    /// AC-10: along an edge that four cells share, whatever the signs of the zeros, both ways.
+    #[test]
+    fn along_an_edge_between_cells_all_four_are_passed() {
+        for (x, y, z) in [(1.0, 0.0, 0.0), (1.0, -0.0, 0.0), (-1.0, 0.0, -0.0), (-1.0, -0.0, -0.0)]
+        {
+            let direction = Vec3::new(x, y, z);
+            let ray = Ray { origin: Vec3::new(-9.0 * x, 2.0, 6.0), direction };
+            let (cells, _) = cells(&WideRay::new(&ray, &BOUNDS), f32::INFINITY);
+            assert_eq!(cells.len(), 24, "{direction:?}");
+            assert!(cells.iter().all(|[_, y, _]| *y < 2));
+        }
+    }
+
+    /// AC-08: each cell once, in few steps, for rays of any width; and a wider ray passes all cells
+    /// that a narrower one does.
+    #[test]
+    fn no_cell_twice_and_no_more_steps_than_cells_along_the_sides() {
+        for trial in 0..50_000 {
+            let mut stream = Stream::of_trial(921, trial);
+            let mut point = || Vec3::from([0, 1, 2].map(|_| stream.between(-8.0, 9.0)));
+            let mut ray = Ray { origin: point().round(), direction: point().round() };
+            ray.direction *= [1.0, 1e-20, 1e30][trial as usize % 3];
+            if ray.direction == Vec3::ZERO {
+                continue;
+            }
+            let mut last = 0;
+            for width in [1e-5, 0.1, 0.7, 3.0, f32::INFINITY] {
+                let (mut cells, steps) = cells(&WideRay::of_width(&ray, width), f32::INFINITY);
+                assert!(steps <= 6 + 4 + 2 + 3 && cells.len() >= last, "{ray:?}");
+                last = cells.len();
+                cells.sort_unstable();
+                cells.dedup();
+                assert_eq!(cells.len(), last, "{ray:?}");
+            }
+        }
+    }
+}

@@ -9,7 +9,7 @@ mod until_last;
 pub use centroid::octree_by_centroids;
 pub use line::{Stop, along_a_line};
 pub use poisoned::bounds;
-pub use split::along_a_line_in_a_tree;
+pub use split::{along_a_line_in_a_tree, without_width};
 pub use until_last::cells_until_last;
 
 // ANCHOR: index

@@ -227,3 +227,55 @@ impl Accelerator for Octree {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use boxes::aabb::Aabb;
+    use glam::Vec3;
+
+    use super::{eighth, parts, progresses};
+    use crate::leaf::Stored;
+
+    fn stored(corners: [[f32; 3]; 3], index: u32) -> Stored {
+        Stored { corners: corners.map(Vec3::from), index }
+    }
+
+    /// AC-11: through the centre to all eight, beside it to one, and in a plane to those below it.
+    #[test]
+    fn triangles_go_to_the_parts_they_reach_into() {
+        let center = Vec3::new(1.0, 2.0, 3.0);
+        let members = [
+            stored([[0.0, 1.0, 2.0], [2.0, 3.0, 2.0], [1.0, 2.0, 4.0]], 0),
+            stored([[1.0, 2.0, 3.0], [2.0, 2.0, 3.5], [2.0, 3.0, 3.0]], 1),
+            stored([[1.0, 2.0, 3.0], [0.0, 2.0, 2.0], [0.5, 0.0, 3.0]], 2),
+            stored([[1.0, 2.5, 3.5], [1.0, 3.0, 3.5], [1.0, 3.0, 4.0]], 3),
+        ];
+        let parts = parts(&members, center, |it| boxes::bounded::Bounded::bounds(&it.corners));
+        let held = |index: u32| -> Vec<usize> {
+            (0..8).filter(|&part| parts[part].iter().any(|it| it.index == index)).collect()
+        };
+        assert_eq!(held(0), [0, 1, 2, 3, 4, 5, 6, 7]);
+        assert_eq!(held(1), [7]);
+        assert_eq!(held(2), [0]);
+        assert_eq!(held(3), [6]);
+    }
+
+    #[test]
+    fn an_eighth_by_its_bits() {
+        let cell = Aabb { min: Vec3::new(0.0, 2.0, 4.0), max: Vec3::new(2.0, 6.0, 10.0) };
+        let expected = Aabb { min: Vec3::new(1.0, 2.0, 7.0), max: Vec3::new(2.0, 4.0, 10.0) };
+        assert_eq!(eighth(&cell, 0b101), expected);
+    }
+
+    /// AC-07.
+    #[test]
+    fn between_neighbouring_floats_nothing_progresses() {
+        let at = |x: f32, steps: u32| Aabb {
+            min: Vec3::splat(x),
+            max: Vec3::splat(f32::from_bits(x.to_bits() + steps)),
+        };
+        assert!(progresses(&at(1.0, 2)) && !progresses(&at(1.0, 1)) && !progresses(&at(7e5, 0)));
+        let widest = Aabb { min: Vec3::splat(-f32::MAX), max: Vec3::splat(f32::MAX) };
+        assert!(progresses(&widest));
+    }
+}

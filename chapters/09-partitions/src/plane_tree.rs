@@ -66,8 +66,12 @@ impl<const N: usize> PlaneTree<N> {
     ///
     /// The part of the ray that is near to one side and the part that is near to the other overlap
     /// by the ray's width. So a node is left out only if it begins beyond the question's limit.
-    pub(crate) fn walk<Q: Question, T: Tally>(&self, ray: &Ray, question: &mut Q, tally: &mut T) {
-        let ray = WideRay::new(ray, &self.bounds);
+    pub(crate) fn walk<Q: Question, T: Tally>(
+        &self,
+        ray: &WideRay,
+        question: &mut Q,
+        tally: &mut T,
+    ) {
         let part = ray.within(&self.bounds, question.limit());
         if part.is_empty() {
             return;
@@ -111,6 +115,11 @@ impl<const N: usize> PlaneTree<N> {
         }
     }
     // ANCHOR_END: walk
+
+    /// The ray, as wide as it has to be for this tree.
+    pub(crate) fn wide(&self, ray: &Ray) -> WideRay {
+        WideRay::new(ray, &self.bounds)
+    }
 
     pub(crate) fn statistics(&self) -> Statistics {
         Statistics {

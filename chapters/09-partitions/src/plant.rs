@@ -191,3 +191,25 @@ impl<const N: usize> Planting<N> {
         self.tree.stored.extend(members.iter().map(|&it| self.triangles[it as usize]));
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use glam::Vec3;
+
+    use super::{Span, span};
+
+    #[test]
+    fn a_span_holds_its_triangle_and_a_coordinate_is_exact() {
+        let corners =
+            [Vec3::new(0.1, 0.2, 0.3), Vec3::new(-0.7, 1e-9, 0.4), Vec3::new(0.3, -0.3, 1e7)];
+        let expected = Span { low: -0.7, high: 0.3 };
+        assert_eq!(span(&corners, Vec3::X, Vec3::ZERO), expected);
+        let slanted = Vec3::new(1.0, -1.0, 1.0);
+        let Span { low, high } = span(&corners, slanted, Vec3::ZERO);
+        for corner in corners {
+            let along = corner.as_dvec3().dot(slanted.as_dvec3());
+            assert!(f64::from(low) <= along && along <= f64::from(high));
+        }
+        assert!(low.next_up().next_up() > -0.300_001 && high.next_down() <= 1e7 + 1.0);
+    }
+}

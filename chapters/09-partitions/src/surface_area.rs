@@ -95,3 +95,42 @@ fn binned(cell: &Cell<3>, direction: usize) -> [[usize; BINS]; 2] {
     }
     bins
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{Surface, VISIT, WITH_EMPTY_CELL, cheapest};
+    use crate::plant::{Cell, Span};
+
+    fn extent(size: [f32; 3]) -> [Span; 3] {
+        size.map(|length| Span { low: -1.0, high: length - 1.0 })
+    }
+
+    /// A box of 1 by 2 by 3 has a surface of 22, and a quarter of it along x one of 14.5.
+    #[test]
+    fn a_cost_by_hand() {
+        let cost = Surface::across(0, &extent([1.0, 2.0, 3.0])).cost(0.25, 4, 8);
+        assert!((cost - (VISIT + (14.5 * 4.0 + 19.5 * 8.0) / 22.0)).abs() < 1e-5, "{cost}");
+        let cost = Surface::across(2, &extent([1.0, 2.0, 3.0])).cost(0.5, 0, 6);
+        assert!((cost - (VISIT + WITH_EMPTY_CELL * 13.0 * 6.0 / 22.0)).abs() < 1e-5, "{cost}");
+    }
+
+    /// AC-03: the largest and the smallest boxes have costs, or none that is chosen.
+    #[test]
+    fn no_size_gives_a_wrong_choice() {
+        for size in [0.0, 1e-45, 1e-30, 1e20, 3e38, f32::INFINITY] {
+            let extent = [size, size, 0.0].map(|high| Span { low: 0.0, high });
+            let quarter = |part: usize| {
+                extent.map(|Span { high, .. }| Span {
+                    low: high / 4.0 * part as f32,
+                    high: high / 4.0 * (part + 1) as f32,
+                })
+            };
+            let spans: Vec<_> = (0..64).map(|number| quarter(number % 4)).collect();
+            let members: Vec<u32> = (0..64).collect();
+            let plane = cheapest(&Cell { spans: &spans, members: &members, extent });
+            let Some(plane) = plane else { continue };
+            let Span { low, high } = extent[plane.direction];
+            assert!(low <= plane.place && plane.place <= high, "{size}: {plane:?}");
+        }
+    }
+}

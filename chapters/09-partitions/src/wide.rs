@@ -39,15 +39,19 @@ pub struct WideRay {
 impl WideRay {
     /// The finite `ray`, which has a direction, among triangles within `bounds`.
     pub fn new(ray: &Ray, bounds: &Aabb) -> Self {
-        let Ray { origin, direction } = *ray;
-        let longest = direction.abs().max_element();
-        let (below, above) = (bounds.min - origin, bounds.max - origin);
+        let (below, above) = (bounds.min - ray.origin, bounds.max - ray.origin);
         let farthest = below.abs().max(above.abs()).max_element();
         // Where products are too small for f32 their errors are no longer a part of anything.
-        let width = WIDTH * farthest + f32::MIN_POSITIVE;
-        Self { origin, slope: direction / longest, width, longest }
+        Self::of_width(ray, WIDTH * farthest + f32::MIN_POSITIVE)
     }
     // ANCHOR_END: wide_ray
+
+    /// The same with a width of the caller's choice.
+    pub(crate) fn of_width(ray: &Ray, width: f32) -> Self {
+        let Ray { origin, direction } = *ray;
+        let longest = direction.abs().max_element();
+        Self { origin, slope: direction / longest, width, longest }
+    }
 
     // ANCHOR: reach
     /// How far along the longest axis a hit at `t` is at most; always finite. Between `t` and this
@@ -161,5 +165,97 @@ impl Interval {
     #[inline]
     pub fn is_empty(&self) -> bool {
         !(self.from <= self.to)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use boxes::aabb::Aabb;
+    use common::sampler::Stream;
+    use glam::Vec3;
+    use ray_casting::ray::Ray;
+
+    use super::{Interval, Track, WideRay};
+
+    const ALL: Interval = Interval { from: 0.0, to: 100.0 };
+
+    /// The chapter's worked number: at 3 and going up by 1/2 for each unit, a quarter wide, a ray is
+    /// at 5 or below until it has gone 4.5, and at 5 or above from 3.5 on.
+    #[test]
+    fn both_sides_of_a_plane_by_hand() {
+        let track = Track { origin: 3.0, slope: 0.5, inverse: 2.0, width: 0.25 };
+        assert_eq!(ALL.below(&track, 5.0), Interval { from: 0.0, to: 4.5 });
+        assert_eq!(ALL.above(&track, 5.0), Interval { from: 3.5, to: 100.0 });
+        let down = Track { slope: -0.5, inverse: -2.0, ..track };
+        assert_eq!(ALL.below(&down, 1.0), Interval { from: 3.5, to: 100.0 });
+        assert_eq!(ALL.above(&down, 1.0), Interval { from: 0.0, to: 4.5 });
+    }
+
+    /// AC-06: with either zero, a ray in the plane is on both sides, and one beside it on its own.
+    #[test]
+    fn along_a_plane_all_is_left_or_nothing() {
+        for slope in [0.0_f32, -0.0] {
+            for (origin, width, below, above) in [
+                (2.0, 0.0, true, true),
+                (2.0, 0.5, true, true),
+                (2.5, 0.5, true, true),
+                (1.0, 0.5, true, false),
+                (3.0, 0.5, false, true),
+            ] {
+                let track = Track { origin, slope, inverse: 1.0 / slope, width };
+                let left = |part: Interval| if part.is_empty() { None } else { Some(part) };
+                assert_eq!(left(ALL.below(&track, 2.0)), below.then_some(ALL), "{track:?}");
+                assert_eq!(left(ALL.above(&track, 2.0)), above.then_some(ALL), "{track:?}");
+            }
+        }
+    }
+
+    /// Wherever the exact ray comes within 8 u of the farthest distance to a side of a plane, that is
+    /// in the part for the side: the rest of the width is for the roundings on the way.
+    #[test]
+    fn no_place_within_the_triangle_tests_error_is_left_out() {
+        for trial in 0..200_000 {
+            let mut stream = Stream::of_trial(920, trial);
+            let mut point = || Vec3::from([0, 1, 2].map(|_| stream.between(-4.0, 5.0)));
+            let bounds = Aabb::of_points([point(), point()]);
+            let (origin, direction) = (point(), point() * [1.0, 1e-30, 1e25][trial as usize % 3]);
+            let far = [0.0, 1e3, 1e6][trial as usize / 3 % 3];
+            let ray = Ray { origin: origin + Vec3::splat(far), direction };
+            let wide = WideRay::new(&ray, &bounds);
+            let axis = trial as usize % 3;
+            let plane = bounds.min[axis] + stream.uniform() * bounds.size()[axis];
+            let longest = f64::from(direction.abs().max_element());
+            let farthest = far + 10.0;
+            // Near the crossing, where it matters.
+            let slope = f64::from(direction[axis]) / longest;
+            let crossing = (f64::from(plane) - f64::from(ray.origin[axis])) / slope;
+            let place = crossing + f64::from(farthest) * 1e-6 * (f64::from(stream.uniform()) - 0.5);
+            if !(0.0..=f64::from(farthest)).contains(&place) {
+                continue;
+            }
+            let at = f64::from(ray.origin[axis]) + place * slope;
+            let margin = f64::from(wide.width) / 4.0;
+            let all = Interval { from: 0.0, to: f32::MAX };
+            let holds =
+                |part: Interval| f64::from(part.from) <= place && place <= f64::from(part.to);
+            let track = wide.track(axis);
+            if at - margin <= f64::from(plane) {
+                assert!(holds(all.below(&track, plane)), "{trial}: {ray:?}");
+            }
+            if at + margin >= f64::from(plane) {
+                assert!(holds(all.above(&track, plane)), "{trial}: {ray:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn reach_is_never_short_and_never_infinite() {
+        let bounds = Aabb::of_points([Vec3::ZERO, Vec3::ONE]);
+        let ray = Ray { origin: Vec3::ZERO, direction: Vec3::new(1.5, -2.5, 0.3) };
+        let wide = WideRay::new(&ray, &bounds);
+        for t in [0.0, 1e-45, 0.1, 7.0, 1e30] {
+            assert!(f64::from(wide.reach(t)) > 2.5 * f64::from(t));
+        }
+        assert!([f32::MAX, f32::INFINITY, f32::NAN].iter().all(|&t| wide.reach(t) == f32::MAX));
     }
 }

@@ -1,4 +1,4 @@
-//! AC-01, AC-05, AC-06, AC-10 and AC-11: what a structure finds is what the linear scan finds.
+//! AC-01, AC-05, AC-06, AC-10, AC-11 and BX-03: what a structure finds is what the linear scan finds.
 
 use std::sync::LazyLock;
 
@@ -9,9 +9,13 @@ use ray_casting::ray::Ray;
 use triangles::brute::Found;
 
 use super::rays::{KINDS, around, ray, t_max};
-use super::scenes::{Answer, SCENES, Scene, bits, soup, with_garbage, with_holes};
+use super::scenes::{
+    BSP, MEDIAN, SAH, SCENES, STRUCTURES, Scene, bits, soup, with_garbage, with_holes,
+};
 use crate::accelerator::Accelerator;
-use crate::naive::{Stop, along_a_line, along_a_line_in_a_tree, bounds, octree_by_centroids};
+use crate::naive::{
+    Stop, along_a_line, along_a_line_in_a_tree, bounds, octree_by_centroids, without_width,
+};
 use crate::octree::Octree;
 use crate::scan::Scan;
 
@@ -36,13 +40,37 @@ pub(super) fn any_naive(trial: u64) -> bool {
     })
 }
 
-/// Whether any structure finds something else. One of them is also asked whether there is any hit.
+/// Whether a structure, another one in each trial, finds something else.
 pub(super) fn any_robust(trial: u64) -> bool {
+    differs(trial, trial / (SCENES.len() as u64 * KINDS) % STRUCTURES)
+}
+
+/// Whether the structure with this number answers a trial's ray otherwise than the scan.
+fn differs(trial: u64, structure: u64) -> bool {
     draw(trial).is_some_and(|(scene, ray, t_max)| {
         let expected = scene.scan.nearest(&ray, t_max, &mut Off);
-        let is_hit = scene.is_hit((trial % 5) as usize, &ray, t_max);
-        is_hit != expected.is_some()
-            || scene.found(&ray, t_max).iter().any(|found| bits(*found) != bits(expected))
+        !scene.answer(structure, &ray, t_max).is(expected)
+    })
+}
+
+/// A ray from outside or inside at an edge of a scene.
+fn at_an_edge(trial: u64) -> Option<(&'static Scene, Ray)> {
+    let mut stream = Stream::of_trial(903, trial);
+    let count = SCENES.len() as u64;
+    let scene = &SCENES[(trial % count) as usize];
+    Some((scene, ray(scene, [1, 2, 3, 6][(trial / count % 4) as usize], &mut stream)?))
+}
+
+/// Whether the k-d tree finds something else when the ray has no width.
+pub(super) fn edge_naive(trial: u64) -> bool {
+    at_an_edge(trial).is_some_and(|(scene, ray)| {
+        bits(without_width(&scene.sah, &ray)) != bits(scanned(scene, &ray))
+    })
+}
+
+pub(super) fn edge_robust(trial: u64) -> bool {
+    at_an_edge(trial).is_some_and(|(scene, ray)| {
+        !scene.answer(SAH, &ray, f32::INFINITY).is(scanned(scene, &ray))
     })
 }
 
@@ -77,7 +105,8 @@ pub(super) fn garbage_robust(trial: u64) -> bool {
     among_garbage(trial).is_some_and(|(scene, good, ray)| {
         let expected = good.nearest(&ray, f32::INFINITY, &mut Off);
         let expected = expected.map(|found| Found { index: 2 * found.index + 1, ..found });
-        scene.found(&ray, f32::INFINITY).iter().any(|found| bits(*found) != bits(expected))
+        let structure = trial / GARBAGE.len() as u64 % STRUCTURES;
+        !scene.answer(structure, &ray, f32::INFINITY).is(expected)
     })
 }
 
@@ -96,8 +125,8 @@ pub(super) fn in_plane_naive(trial: u64) -> bool {
 
 pub(super) fn in_plane_robust(trial: u64) -> bool {
     in_plane(trial).is_some_and(|(scene, ray)| {
-        let [_, _, median, sah, bsp] = scene.found(&ray, f32::INFINITY);
-        [median, sah, bsp].iter().any(|found| bits(*found) != bits(scanned(scene, &ray)))
+        let tree = [MEDIAN, SAH, BSP][(trial / 4 % 3) as usize];
+        !scene.answer(tree, &ray, f32::INFINITY).is(scanned(scene, &ray))
     })
 }
 
@@ -119,8 +148,9 @@ pub(super) fn axis_naive(trial: u64) -> bool {
 pub(super) fn axis_robust(trial: u64) -> bool {
     along_an_axis(trial).is_some_and(|(scene, ray)| {
         let positive = Ray { direction: ray.direction + 0.0, ..ray };
-        let answers = [ray, positive].map(|ray| Answer::of(&scene.grid, &ray, f32::INFINITY));
-        answers.iter().any(|answer| !answer.is(scanned(scene, &ray)))
+        let [found, again] =
+            [ray, positive].map(|ray| scene.grid.nearest(&ray, f32::INFINITY, &mut Off));
+        bits(found) != bits(scanned(scene, &ray)) || bits(again) != bits(found)
     })
 }
 
@@ -150,4 +180,33 @@ pub(super) fn straddling_naive(trial: u64) -> bool {
 
 pub(super) fn straddling_robust(trial: u64) -> bool {
     straddler_is_missed(trial, false)
+}
+
+#[cfg(test)]
+mod tests {
+    use common::hard::{Case, Row};
+
+    use super::differs;
+    use crate::hard::CASES;
+
+    /// `cargo test --release -p partitions -- --ignored --nocapture ten_million` takes minutes.
+    #[test]
+    #[ignore = "takes minutes"]
+    fn ten_million_rays_for_each_structure() {
+        let structures: [fn(u64) -> bool; 5] = [
+            |trial| differs(trial, 0),
+            |trial| differs(trial, 1),
+            |trial| differs(trial, 2),
+            |trial| differs(trial, 3),
+            |trial| differs(trial, 4),
+        ];
+        for (structure, robust_fails) in structures.into_iter().enumerate() {
+            let case = Case { robust_fails, ..CASES[0] };
+            let Row { naive_failures, robust_failures, trials, .. } = case.run(10_000_000);
+            println!(
+                "structure {structure}: {robust_failures} of {trials}, naive {naive_failures}"
+            );
+            assert_eq!(robust_failures, 0, "structure {structure}");
+        }
+    }
 }

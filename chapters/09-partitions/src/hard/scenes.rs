@@ -42,28 +42,25 @@ impl Scene {
         }
     }
 
-    /// What grid, octree, both k-d trees and BSP tree find.
-    pub(crate) fn found(&self, ray: &Ray, t_max: f32) -> [Option<Found>; 5] {
-        [
-            self.grid.nearest(ray, t_max, &mut Off),
-            self.octree.nearest(ray, t_max, &mut Off),
-            self.median.nearest(ray, t_max, &mut Off),
-            self.sah.nearest(ray, t_max, &mut Off),
-            self.bsp.nearest(ray, t_max, &mut Off),
-        ]
-    }
-
-    /// Whether there is any hit, by the structure that has this number among them.
-    pub(crate) fn is_hit(&self, structure: usize, ray: &Ray, t_max: f32) -> bool {
+    /// What the structure with this number says.
+    pub(crate) fn answer(&self, structure: u64, ray: &Ray, t_max: f32) -> Answer {
         match structure {
-            0 => self.grid.is_hit(ray, t_max, &mut Off),
-            1 => self.octree.is_hit(ray, t_max, &mut Off),
-            2 => self.median.is_hit(ray, t_max, &mut Off),
-            3 => self.sah.is_hit(ray, t_max, &mut Off),
-            _ => self.bsp.is_hit(ray, t_max, &mut Off),
+            GRID => Answer::of(&self.grid, ray, t_max),
+            OCTREE => Answer::of(&self.octree, ray, t_max),
+            MEDIAN => Answer::of(&self.median, ray, t_max),
+            SAH => Answer::of(&self.sah, ray, t_max),
+            _ => Answer::of(&self.bsp, ray, t_max),
         }
     }
 }
+
+/// How many structures there are, and their numbers.
+pub(crate) const STRUCTURES: u64 = 5;
+const GRID: u64 = 0;
+const OCTREE: u64 = 1;
+pub(crate) const MEDIAN: u64 = 2;
+pub(crate) const SAH: u64 = 3;
+pub(crate) const BSP: u64 = 4;
 
 /// What a structure says to a ray.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -7,6 +7,7 @@ use triangles::brute::Found;
 use crate::kd::KdTree;
 use crate::leaf::{NearestHit, Question};
 use crate::plane_tree::Node;
+use crate::wide::WideRay;
 
 // ANCHOR: split
 /// The nearest hit in a k-d tree, as it is commonly printed. The side of a plane that the ray starts
@@ -39,3 +40,11 @@ fn visit(tree: &KdTree, node: usize, ray: &Ray, [from, to]: [f32; 2], question: 
     }
 }
 // ANCHOR_END: split
+
+/// The nearest hit in a k-d tree by a ray without a width. What the watertight test hits a hair
+/// beside the ray lies in a leaf that such a ray doesn't come to (hard case BX-03).
+pub fn without_width(tree: &KdTree, ray: &Ray) -> Option<Found> {
+    let mut question = NearestHit::new(ray, f32::INFINITY)?;
+    tree.walk_wide(&WideRay::of_width(ray, 0.0), &mut question);
+    question.found()
+}
