@@ -112,7 +112,7 @@ impl Chapter for Partitions {
     type Scene = Stage;
 
     fn build(name: &str, knobs: &Knobs) -> Result<Stage, Failure> {
-        let MeshScene { mesh, mut view, warnings, calls } =
+        let MeshScene { mesh, mut view, warnings, calls, .. } =
             MeshScene::with_normals(name, knobs.normals)?;
         for warning in &warnings {
             // Nobody is left to tell when standard error is closed.

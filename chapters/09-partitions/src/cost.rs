@@ -2,7 +2,7 @@
 
 mod build;
 mod cells;
-mod sight;
+pub mod sight;
 mod structures;
 
 use common::cost::Experiment;

@@ -7,9 +7,9 @@
 mod builds;
 mod cells;
 mod places;
-pub(crate) mod rays;
+pub mod rays;
 mod scan;
-pub(crate) mod scenes;
+pub mod scenes;
 
 use common::hard::{Case, UNLIMITED};
 

@@ -77,7 +77,8 @@ impl Recipe {
             bounds.add(item);
             centers.add_point(item.center());
         }
-        let middle = self.limits(level).and_then(|limits| cut(items, &bounds, &centers, self.split, limits));
+        let middle =
+            self.limits(level).and_then(|limits| cut(items, &bounds, &centers, self.split, limits));
         let Some(middle) = middle else {
             return Node { bounds: bounds.aabb(), first: place as u32, count: items.len() as u32 };
         };
@@ -119,18 +120,143 @@ impl Recipe {
 /// Adds a subtree that was built apart; gives its root.
 fn append(nodes: &mut Vec<Node>, root: Node, below: Vec<Node>) -> Node {
     let moved = nodes.len() as u32;
-    let moved = |node: Node| if node.is_leaf() { node } else { Node { first: node.first + moved, ..node } };
+    let moved =
+        |node: Node| if node.is_leaf() { node } else { Node { first: node.first + moved, ..node } };
     nodes.extend(below.into_iter().map(moved));
     moved(root)
 }
 
 /// Runs both, on two threads where there are two. What they do does not depend on it.
 #[cfg(feature = "native")]
-fn both<L: Send, R: Send>(left: impl FnOnce() -> L + Send, right: impl FnOnce() -> R + Send) -> (L, R) {
+fn both<L: Send, R: Send>(
+    left: impl FnOnce() -> L + Send,
+    right: impl FnOnce() -> R + Send,
+) -> (L, R) {
     rayon::join(left, right)
 }
 
 #[cfg(not(feature = "native"))]
 fn both<L, R>(left: impl FnOnce() -> L, right: impl FnOnce() -> R) -> (L, R) {
     (left(), right())
+}
+
+#[cfg(test)]
+mod tests {
+    use boxes::aabb::Aabb;
+    use common::sampler::Stream;
+    use glam::Vec3;
+
+    use super::{DEPTH, Recipe};
+    use crate::split::Split;
+
+    const SPLITS: [Split; 3] = [Split::Midpoint, Split::Median, Split::Sah];
+
+    fn point(stream: &mut Stream, side: f32) -> Vec3 {
+        let x = stream.between(-side, side);
+        let y = stream.between(-side, side);
+        Vec3::new(x, y, stream.between(-side, side))
+    }
+
+    fn scattered(count: u64) -> Vec<Aabb> {
+        let next = |trial| {
+            let mut stream = Stream::of_trial(101, trial);
+            let center = point(&mut stream, 50.0);
+            Aabb::of_points([center, center + point(&mut stream, 2.0)])
+        };
+        (0..count).map(next).collect()
+    }
+
+    fn check(boxes: &[Aabb]) {
+        for (split, leaf) in SPLITS.into_iter().flat_map(|split| [(split, 1), (split, 4)]) {
+            let tree = Recipe { split, leaf, together: 4 }.build(boxes.iter().copied());
+            assert_eq!(tree.flaw(boxes), None, "{split:?} {leaf}");
+            let largest = tree.nodes.iter().map(|node| node.count).max();
+            assert!(largest <= Some(leaf as u32), "{split:?} {leaf}");
+        }
+    }
+
+    #[test]
+    fn every_thing_is_in_one_leaf_and_every_child_in_its_parent() {
+        for count in [0, 1, 2, 3, 4, 5, 9, 100, 5000] {
+            check(&scattered(count));
+        }
+    }
+
+    /// Five boxes in a row along y: the middle of the longest axis has two below it, the median too;
+    /// by surface area the far one is cut off.
+    #[test]
+    fn three_cuts_by_hand() {
+        let boxes = [0.0, 1.0, 2.0, 3.0, 20.0].map(|y| {
+            let low = Vec3::new(0.0, y, 0.0);
+            Aabb { min: low, max: low + Vec3::new(0.5, 0.9, 0.2) }
+        });
+        let first = |split| {
+            let tree = Recipe { split, ..Recipe::default() }.build(boxes);
+            let left = &tree.nodes[1].bounds;
+            boxes.iter().filter(|it| left.union(**it) == *left).count()
+        };
+        assert_eq!(SPLITS.map(first), [4, 2, 4]);
+    }
+
+    /// Hard case AC-02, at its full size.
+    #[test]
+    fn a_hundred_thousand_copies() {
+        check(&vec![scattered(1)[0]; 100_000]);
+        let around = |size: u32| Aabb {
+            min: Vec3::new(-1.0, -2.0, -3.0) * size as f32,
+            max: Vec3::new(1.0, 2.0, 3.0) * size as f32,
+        };
+        check(&(0..50_000).map(around).collect::<Vec<_>>());
+    }
+
+    /// Hard case AC-04, at its full size.
+    #[test]
+    fn a_million_in_a_line_and_all_powers_of_two() {
+        let at = |x: f32| Aabb { min: Vec3::X * x, max: Vec3::X * x };
+        let line: Vec<Aabb> = (0..1_000_000).map(|x| at(x as f32)).collect();
+        let tree = Recipe::default().build(line.iter().copied());
+        assert_eq!((tree.flaw(&line), tree.nodes.len()), (None, 1_999_999));
+        let powers: Vec<Aabb> = (1..255).map(|power| at(f32::from_bits(power << 23))).collect();
+        check(&powers);
+        let deep = Recipe { split: Split::Midpoint, ..Recipe::default() }.build(powers);
+        assert!(deep.depth() > 40 && deep.depth() <= DEPTH, "{}", deep.depth());
+    }
+
+    /// Hard case AC-05: what isn't finite is in no box.
+    #[test]
+    fn what_no_ray_can_hit_is_left_out() {
+        let good = scattered(20);
+        let bad = [Aabb::EMPTY, Aabb { min: Vec3::NAN, max: Vec3::ONE }];
+        let endless = Aabb { min: Vec3::ZERO, max: Vec3::splat(f32::INFINITY) };
+        let all = good.iter().flat_map(|it| [bad[0], *it, bad[1], endless]);
+        let tree = Recipe::default().build(all);
+        let clean = Recipe::default().build(good.iter().copied());
+        assert_eq!(tree.nodes, clean.nodes);
+        assert!(tree.order.iter().zip(&clean.order).all(|(all, good)| *all == 4 * good + 1));
+    }
+
+    #[test]
+    fn the_largest_floats_and_the_smallest() {
+        for scale in [1e-44, 1e-38, 1e-20, 1e20, 3e36] {
+            let boxes: Vec<Aabb> = scattered(300)
+                .iter()
+                .map(|it| Aabb { min: scale * it.min, max: scale * it.max })
+                .collect();
+            check(&boxes);
+        }
+        let ends = [-f32::MAX, f32::MAX, 0.0, 1.0];
+        check(&ends.map(|x| Aabb { min: Vec3::splat(x), max: Vec3::splat(x) }));
+    }
+
+    #[cfg(feature = "native")]
+    #[test]
+    fn any_number_of_threads_builds_the_same_tree() {
+        let boxes = scattered(50_000);
+        let built = |threads| {
+            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
+            pool.expect("a few threads").install(|| Recipe::TRIANGLES.build(boxes.iter().copied()))
+        };
+        let one = built(1);
+        assert!([2, 3, 7].into_iter().all(|threads| built(threads) == one));
+    }
 }

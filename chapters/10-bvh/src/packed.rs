@@ -261,10 +261,93 @@ impl Accelerator for PackedBvh {
         let mut hit = false;
         self.descend::<false, T>(ray, t_max, tally, |four, tally| {
             tally.count(TRIANGLE_TESTS, four.count());
-            four.hits(&prepared, |found| { hit = true; found.hit.t }, t_max);
+            four.hits(
+                &prepared,
+                |found| {
+                    hit = true;
+                    found.hit.t
+                },
+                t_max,
+            );
             (!hit).then_some(t_max)
         });
         hit
     }
     // ANCHOR_END: any
+}
+
+#[cfg(test)]
+mod tests {
+    use common::sampler::Stream;
+    use common::tally::{Counts, Off};
+    use glam::Vec3;
+    use partitions::accelerator::{Accelerator, NODE_VISITS};
+    use partitions::scan::Scan;
+    use ray_casting::ray::Ray;
+    use triangles::brute::TRIANGLE_TESTS;
+    use triangles::bumpy;
+
+    use super::PackedBvh;
+    use crate::build::Recipe;
+    use crate::split::Split;
+
+    fn ray(trial: u64) -> Ray {
+        let mut stream = Stream::of_trial(103, trial);
+        let mut point = |side: f32| {
+            let mut component = || stream.between(-side, side);
+            Vec3::new(component(), component(), component())
+        };
+        let origin = point(2.0);
+        Ray { origin, direction: point(0.9) - origin }
+    }
+
+    #[test]
+    fn the_scan_s_answer_to_the_bit_with_leaves_of_any_size() {
+        let corners = bumpy::sphere(1000).all_corners();
+        let scan = Scan::build(corners.clone());
+        for leaf in [1, 2, 4, 7, 64] {
+            for split in [Split::Midpoint, Split::Median, Split::Sah] {
+                let tree = PackedBvh::new(&corners, &Recipe { split, leaf, ..Recipe::TRIANGLES });
+                for trial in 0..2000 {
+                    let (ray, limit) = (ray(trial), [f32::INFINITY, 0.7][trial as usize % 2]);
+                    let found = scan.nearest(&ray, limit, &mut Off);
+                    assert_eq!(tree.nearest(&ray, limit, &mut Off), found, "{leaf} {trial}");
+                    assert_eq!(tree.is_hit(&ray, limit, &mut Off), found.is_some());
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn few_are_asked_and_any_hit_asks_fewer() {
+        let tree = PackedBvh::build(bumpy::sphere(20_000).all_corners());
+        let count = |ask: &dyn Fn(&Ray, &mut Counts)| {
+            let mut counts = Counts::default();
+            (0..1000).for_each(|trial| ask(&ray(trial), &mut counts));
+            (counts.of(TRIANGLE_TESTS), counts.of(NODE_VISITS))
+        };
+        let nearest = count(&|ray, counts| {
+            tree.nearest(ray, f32::INFINITY, counts);
+        });
+        let any = count(&|ray, counts| {
+            tree.is_hit(ray, f32::INFINITY, counts);
+        });
+        assert!(
+            nearest.0 < 30_000 && any.0 < nearest.0 && any.1 < nearest.1,
+            "{nearest:?} {any:?}"
+        );
+    }
+
+    #[test]
+    fn nothing_is_found_in_nothing() {
+        let nothing = PackedBvh::build(Vec::new());
+        assert_eq!(nothing.nearest(&ray(1), f32::INFINITY, &mut Off), None);
+        let flat = PackedBvh::build(vec![[Vec3::ONE; 3], [Vec3::NAN; 3]]);
+        assert!(!flat.is_hit(&ray(1), f32::INFINITY, &mut Off));
+        assert_eq!((flat.statistics().left_out, flat.statistics().nodes), (2, 0));
+        let nowhere = Ray { origin: Vec3::ZERO, direction: Vec3::ZERO };
+        let tree = PackedBvh::build(bumpy::sphere(60).all_corners());
+        assert_eq!(tree.nearest(&nowhere, f32::INFINITY, &mut Off), None);
+        assert_eq!(tree.nearest(&ray(1), f32::NAN, &mut Off), None);
+    }
 }

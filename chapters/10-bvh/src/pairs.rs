@@ -60,8 +60,8 @@ pub(crate) struct Pair {
 impl Pair {
     /// Two boxes and where they lead.
     pub(crate) fn new([a, b]: [Aabb; 2], branches: [Branch; 2]) -> Self {
-        let planes = [0, 1, 2]
-            .map(|axis| Vec4::new(a.min[axis], b.min[axis], -a.max[axis], -b.max[axis]));
+        let planes =
+            [0, 1, 2].map(|axis| Vec4::new(a.min[axis], b.min[axis], -a.max[axis], -b.max[axis]));
         Self { planes, branches }
     }
 }
@@ -120,4 +120,60 @@ impl PairRay {
         Entered { at: [last.x, last.y], which }
     }
     // ANCHOR_END: enter
+}
+
+#[cfg(test)]
+mod tests {
+    use boxes::aabb::Aabb;
+    use boxes::slab::BoxRay;
+    use common::sampler::Stream;
+    use glam::Vec3;
+    use ray_casting::ray::Ray;
+
+    use super::{Branch, Pair, PairRay};
+
+    #[test]
+    fn a_pair_fills_a_cache_line() {
+        assert_eq!((size_of::<Pair>(), align_of::<Pair>()), (64, 64));
+    }
+
+    #[test]
+    fn a_branch_says_where_it_leads() {
+        assert_eq!(Branch::to_pair(12_345).pair(), Some(12_345));
+        for (place, count) in [(0, 1), (7, 3), ((1 << 27) - 1, 16)] {
+            let leaf = Branch::to_leaf(place, count);
+            assert_eq!((leaf.pair(), leaf.groups()), (None, place..place + count));
+        }
+    }
+
+    /// Both boxes get the answer that each gets alone, to the bit, from every direction.
+    #[test]
+    fn two_at_once_are_one_and_one() {
+        let mut met = 0;
+        for trial in 0..100_000 {
+            let mut stream = Stream::of_trial(102, trial);
+            let mut point = |side: f32| {
+                let mut component = || stream.between(-side, side).round();
+                Vec3::new(component(), component(), component())
+            };
+            let boxes = [0, 1].map(|_| Aabb::of_points([point(3.0), point(3.0)]));
+            let scene = boxes[0].union(boxes[1]);
+            // Whole numbers: many rays run along an axis, or in a face.
+            let ray = Ray { origin: point(5.0), direction: point(2.0) };
+            let ray = BoxRay::new(&ray, &scene);
+            let t_max = if trial % 3 == 0 { 2.0 } else { f32::INFINITY };
+            if ray.enter(&scene, f32::INFINITY).is_none() {
+                continue;
+            }
+            let pair = Pair::new(boxes, [Branch::to_pair(0); 2]);
+            let entered = PairRay::new(&ray).enter(&pair, t_max);
+            for (number, bounds) in boxes.iter().enumerate() {
+                let expected = ray.enter(bounds, t_max);
+                let found = (entered.which >> number & 1 == 1).then_some(entered.at[number]);
+                assert_eq!(found, expected, "{trial} {number}");
+                met += u32::from(found.is_some());
+            }
+        }
+        assert!(met > 10_000, "{met}");
+    }
 }

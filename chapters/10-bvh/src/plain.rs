@@ -39,6 +39,11 @@ impl PlainBvh {
         &self.tree
     }
 
+    /// Its triangles, leaf after leaf.
+    pub fn stored(&self) -> &[Stored] {
+        &self.stored
+    }
+
     // ANCHOR: both
     /// The report's traversal (its figure 5.3): whoever meets a box meets both its children, whatever
     /// was found before (erratum 7).
@@ -72,7 +77,7 @@ impl PlainBvh {
     fn ordered<Q: Question, T: Tally>(&self, ray: &BoxRay, question: &mut Q, tally: &mut T) {
         let mut waiting = ArrayVec::<(usize, f32), { DEPTH as usize + 1 }>::new();
         let nodes = &self.tree.nodes;
-        let mut enter = |place: usize, limit: f32, tally: &mut T| {
+        let enter = |place: usize, limit: f32, tally: &mut T| {
             tally.count(BOX_TESTS, 1);
             ray.enter(&nodes[place].bounds, limit).map(|enter| (place, enter))
         };

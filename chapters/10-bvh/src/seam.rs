@@ -14,3 +14,23 @@ pub fn accelerated(mesh: Mesh) -> Box<dyn Shape> {
     Indexed::<PackedBvh>::shape(mesh)
 }
 // ANCHOR_END: accelerated
+
+#[cfg(test)]
+mod tests {
+    use glam::Vec3;
+    use ray_casting::ray::Ray;
+    use ray_casting::shape::Shape;
+    use triangles::bumpy;
+
+    use super::accelerated;
+
+    #[test]
+    fn a_mesh_answers_as_before() {
+        let mesh = bumpy::sphere(500);
+        let shape = accelerated(mesh.clone());
+        let ray = Ray { origin: Vec3::new(0.1, 0.2, 0.3), direction: Vec3::new(-1.0, 0.5, 2.0) };
+        let hit = mesh.hit(&ray, f32::INFINITY).expect("the ray starts inside");
+        assert_eq!(shape.hit(&ray, f32::INFINITY), Some(hit));
+        assert!(shape.is_hit(&ray, f32::INFINITY) && !shape.is_hit(&ray, hit.t));
+    }
+}

@@ -47,7 +47,9 @@ pub(crate) fn cut(
     let middle = match split {
         Split::Midpoint if !small => midpoint(items, centers),
         Split::Median if !small => 0,
-        Split::Sah if !small || items.len() > limits.together as usize => by_area(items, bounds, centers, small, limits.together)?,
+        Split::Sah if !small || items.len() > limits.together as usize => {
+            by_area(items, bounds, centers, small, limits.together)?
+        }
         _ => return None,
     };
     let lopsided = middle == 0 || middle.max(items.len() - middle) > limits.most;

@@ -8,10 +8,10 @@ use ray_casting::ray::Ray;
 use super::scenes::{Corners, Scene};
 
 /// How many kinds of rays there are.
-pub(crate) const KINDS: u64 = 10;
+pub const KINDS: u64 = 10;
 
 /// A ray of kind `kind` at a scene, if one came out that has a direction.
-pub(crate) fn ray(scene: &Scene, kind: u64, stream: &mut Stream) -> Option<Ray> {
+pub fn ray(scene: &Scene, kind: u64, stream: &mut Stream) -> Option<Ray> {
     let bounds = around(scene);
     let size = bounds.size().max_element();
     let origin = outside(&bounds, 1.5 * size, stream);
@@ -65,12 +65,12 @@ pub(crate) fn ray(scene: &Scene, kind: u64, stream: &mut Stream) -> Option<Ray> 
 }
 
 /// A limit for hits: none as a rule.
-pub(crate) fn t_max(stream: &mut Stream, size: f32) -> f32 {
+pub fn t_max(stream: &mut Stream, size: f32) -> f32 {
     if stream.uniform() < 0.8 { f32::INFINITY } else { size * stream.between(0.0, 3.0) }
 }
 
 /// The box around the triangles of the scene that are finite.
-pub(crate) fn around(scene: &Scene) -> Aabb {
+pub fn around(scene: &Scene) -> Aabb {
     Aabb::of_points(
         scene.triangles.iter().filter(|it| it.iter().all(|it| it.is_finite())).flatten().copied(),
     )

@@ -16,12 +16,15 @@ use crate::kd::{KdTree, Split};
 use crate::octree::Octree;
 use crate::scan::Scan;
 
-pub(crate) type Corners = [Vec3; 3];
+/// A triangle's corners.
+pub type Corners = [Vec3; 3];
 
 /// Triangles, and all structures over them.
-pub(crate) struct Scene {
-    pub(crate) triangles: Vec<Corners>,
-    pub(crate) scan: Scan,
+pub struct Scene {
+    /// The triangles, in their order.
+    pub triangles: Vec<Corners>,
+    /// The linear scan, which is the reference.
+    pub scan: Scan,
     pub(crate) grid: Grid,
     pub(crate) octree: Octree,
     pub(crate) median: KdTree,
@@ -30,7 +33,8 @@ pub(crate) struct Scene {
 }
 
 impl Scene {
-    pub(crate) fn new(triangles: Vec<Corners>) -> Self {
+    /// The scene of these triangles.
+    pub fn new(triangles: Vec<Corners>) -> Self {
         Self {
             scan: Scan::build(triangles.clone()),
             grid: Grid::build(triangles.clone()),
@@ -64,24 +68,26 @@ pub(crate) const BSP: u64 = 4;
 
 /// What a structure says to a ray.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Answer {
+pub struct Answer {
     nearest: Option<Found>,
     is_hit: bool,
 }
 
 impl Answer {
-    pub(crate) fn of(accelerator: &impl Accelerator, ray: &Ray, t_max: f32) -> Self {
+    /// Its answer, with hits below `t_max`.
+    pub fn of(accelerator: &impl Accelerator, ray: &Ray, t_max: f32) -> Self {
         let nearest = accelerator.nearest(ray, t_max, &mut Off);
         Self { nearest, is_hit: accelerator.is_hit(ray, t_max, &mut Off) }
     }
 
     /// Whether it is this answer, to the bit.
-    pub(crate) fn is(&self, expected: Option<Found>) -> bool {
+    pub fn is(&self, expected: Option<Found>) -> bool {
         bits(self.nearest) == bits(expected) && self.is_hit == expected.is_some()
     }
 }
 
-pub(crate) fn bits(found: Option<Found>) -> Option<(usize, [u32; 4])> {
+/// All that was found, bit by bit.
+pub fn bits(found: Option<Found>) -> Option<(usize, [u32; 4])> {
     found.map(|Found { hit, index }| {
         let [u, v, w] = hit.barycentric.to_array();
         (index, [hit.t, u, v, w].map(f32::to_bits))
@@ -89,7 +95,7 @@ pub(crate) fn bits(found: Option<Found>) -> Option<(usize, [u32; 4])> {
 }
 
 /// The scenes that all structures are compared on.
-pub(crate) static SCENES: LazyLock<Vec<Scene>> = LazyLock::new(|| {
+pub static SCENES: LazyLock<Vec<Scene>> = LazyLock::new(|| {
     let sphere = |offset: Vec3| moved(bumpy::sphere(96).all_corners(), offset);
     let far = Vec3::new(148_376.0, 1_234.0, -223_423.0);
     let scenes = [
@@ -126,7 +132,7 @@ pub(crate) fn point(stream: &mut Stream) -> Vec3 {
 }
 
 /// Triangles anywhere, through one another.
-pub(crate) fn soup(count: u64) -> Vec<Corners> {
+pub fn soup(count: u64) -> Vec<Corners> {
     let triangle = |trial| {
         let mut stream = Stream::of_trial(901, trial);
         let middle = point(&mut stream);
@@ -195,7 +201,7 @@ pub(crate) fn progression() -> Vec<Corners> {
 
 /// Before each of these another triangle with corners of any bits at all, one of which isn't finite
 /// (hard case AC-05).
-pub(crate) fn with_garbage(good: Vec<Corners>) -> Vec<Corners> {
+pub fn with_garbage(good: Vec<Corners>) -> Vec<Corners> {
     const WORST: [f32; 3] = [f32::NAN, f32::INFINITY, f32::NEG_INFINITY];
     let broken = |trial: usize| {
         let mut stream = Stream::of_trial(905, trial as u64);
@@ -208,7 +214,7 @@ pub(crate) fn with_garbage(good: Vec<Corners>) -> Vec<Corners> {
 }
 
 /// Before each of these the same with one coordinate that is NaN.
-pub(crate) fn with_holes(good: Vec<Corners>) -> Vec<Corners> {
+pub fn with_holes(good: Vec<Corners>) -> Vec<Corners> {
     let broken = |(trial, mut corners): (usize, Corners)| {
         corners[trial % 3][trial / 3 % 3] = f32::NAN;
         corners
