@@ -1,9 +1,11 @@
 //! The chapters the book can run, in their order.
 
+use blinn_phong::command::LitScenes;
 use boxes::command::Boxes;
 use common::chapter::Entry;
 use object_order::command::ObjectOrder;
 use ray_casting::command::RayCasting;
+use shadows::command::Shadows;
 use triangles::command::Triangles;
 
 /// Every chapter; a new one is added at the end.
@@ -11,6 +13,8 @@ pub const CHAPTERS: &[Entry] = &[
     Entry::of::<RayCasting>(),
     Entry::of::<Triangles>(),
     Entry::of::<ObjectOrder>(),
+    Entry::of::<LitScenes>(),
+    Entry::of::<Shadows>(),
     Entry::of::<Boxes>(),
 ];
 

@@ -69,10 +69,35 @@ const MESHES: [Row; 22] = [
     row("--scene sphere:4000000000", 2, &["sphere:4000000000"]),
 ];
 
+/// Wrong where there are lamps and materials.
+const LIT: [Row; 12] = [
+    row("--sun 0,0,0", 2, &["no light", "direction", "not all of them 0"]),
+    row("--sun inf,0,0", 2, &["--sun", "finite"]),
+    row("--lamp 1,2", 2, &["--lamp", "three finite numbers"]),
+    row("--lamp 0,nan,0", 2, &["--lamp"]),
+    row("--lamp 0,5,0 --falloff 0,0,0", 2, &["no light", "fall-off", "not all of them 0"]),
+    row("--lamp 0,5,0 --falloff 1,-2,0", 2, &["no light", "fall-off", "from 0 up"]),
+    row("--falloff 0,0,1", 2, &["--lamp"]),
+    row("--shininess -1", 2, &["--shininess", "from 0"]),
+    row("--ambient 1e400", 2, &["--ambient", "from 0"]),
+    row("--model gouraud", 2, &["--model", "blinn-phong"]),
+    row("--scene bright-mtl.obj", 1, &["bright-mtl.obj", "material sun", "Ks", "1e38"]),
+    row("--scene negative-mtl.obj", 1, &["negative.mtl", "2"]),
+];
+
+/// Wrong where there are shadows.
+const SHADED: [Row; 5] = [
+    row("--offset epsilon", 2, &["--offset", "bound"]),
+    row("--sun 0,0,0", 2, &["no light", "direction", "not all of them 0"]),
+    row("--lamp 1,2", 2, &["--lamp", "three finite numbers"]),
+    row("--lamp 0,1e400,0", 2, &["--lamp"]),
+    row("--scene small --eye 1,1,1 --look-at 1,1,1", 2, &["no picture", "two different points"]),
+];
+
 /// The files of the table. `huge.obj` is 1 TiB of nothing that takes no place on the disk.
 fn files(folder: &Path) {
     let triangle = "v 0 0 0\nv 1 0 0\nv 0 2 0\n";
-    let texts: [(&str, String); 18] = [
+    let texts: [(&str, String); 22] = [
         ("empty.obj", String::new()),
         ("truncated.obj", "v 0 0 0\nv 1 0 0\nv 0 2".into()),
         ("nan.obj", "v 0 0 0\nv 1 nan 0\nv 0 2 0\nf 1 2 3\n".into()),
@@ -88,6 +113,10 @@ fn files(folder: &Path) {
         ("nonsense.mtl", "newmtl odd\nKd red green blue\n".into()),
         ("nan-mtl.obj", format!("mtllib nan.mtl\n{triangle}f 1 2 3\n")),
         ("nan.mtl", "newmtl odd\nKd 0.5 nan 0.5\n".into()),
+        ("bright-mtl.obj", format!("mtllib bright.mtl\n{triangle}usemtl sun\nf 1 2 3\n")),
+        ("bright.mtl", "newmtl sun\nillum 2\nKd 1 1 1\nKs 1e38 0 0\nNs 5\n".into()),
+        ("negative-mtl.obj", format!("mtllib negative.mtl\n{triangle}f 1 2 3\n")),
+        ("negative.mtl", "newmtl odd\nKs 0.5 -1 0.5\n".into()),
         ("pentagon.obj", "v 0 0 0\nv 4 0 0\nv 4 4 0\nv 2 1 0\nv 0 4 0\nf 1 2 3 4 5\n".into()),
         ("no-mtl.obj", format!("mtllib gone.mtl\nusemtl gold\n{triangle}f 1 2 3\n")),
         ("negative-good.obj", format!("{triangle}f -3 -2 -1\n")),
@@ -150,6 +179,18 @@ fn every_chapter_with_meshes_refuses_bad_ones() {
         for row in &MESHES {
             refuse(chapter.package(), row, folder.path());
         }
+    }
+}
+
+#[test]
+fn lamps_and_materials_that_can_t_be_are_refused() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    files(folder.path());
+    for row in &LIT {
+        refuse("blinn-phong", row, folder.path());
+    }
+    for row in &SHADED {
+        refuse("shadows", row, folder.path());
     }
 }
 

@@ -2,7 +2,7 @@
 
 use std::f32::consts::PI;
 
-use common::math;
+use crate::power::exp2;
 
 /// The exponent from which highlights get no brighter. They still get narrower; but the cosine next
 /// below 1 in `f32` is wide enough by then to hold the whole of it.
@@ -17,7 +17,7 @@ const NARROWEST: f32 = 1e7;
 /// which is up to 7.5 % too much (hard case BP-05).
 pub fn normalization(shininess: f32) -> f32 {
     let n = shininess.min(NARROWEST);
-    (n + 2.0) * (n + 4.0) / (8.0 * PI * (n + math::pow(2.0, -n / 2.0)))
+    (n + 2.0) * (n + 4.0) / (8.0 * PI * (n + exp2(f64::from(-n / 2.0)) as f32))
 }
 // ANCHOR_END: normalization
 

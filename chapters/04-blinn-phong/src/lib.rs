@@ -25,6 +25,7 @@
 //! | [`shading`] | what one lamp adds, and which side of a surface is seen |
 //! | [`picture`] | what a pixel shows |
 //! | [`calls`] | the effects a lit scene calls for |
+//! | [`power`] | the power of a cosine, the same on every machine |
 //! | [`squaring`] | powers by multiplication alone |
 //! | [`naive`] | the formulas as printed, which fail |
 //! | [`hard`] | inputs on which the printed formulas fail and ours don't |
@@ -44,6 +45,7 @@ pub mod naive;
 pub mod object;
 pub mod paint;
 pub mod picture;
+pub mod power;
 pub mod scene;
 pub mod shading;
 pub mod squaring;

@@ -3,12 +3,12 @@
 use std::f32::consts::PI;
 
 use common::film::Color;
-use common::math;
 use glam::Vec3;
 
 use crate::energy::normalization;
 use crate::light::Arriving;
 use crate::material::Surface;
+use crate::power::power_of_cosine;
 use crate::shading;
 
 // ANCHOR: model
@@ -89,7 +89,7 @@ pub fn lobe(cosine: f32, shininess: f32) -> f32 {
     if !(cosine > 0.0 && shininess > 0.0) {
         return 0.0;
     }
-    math::pow(cosine.min(1.0), shininess)
+    power_of_cosine(cosine.min(1.0), shininess)
 }
 // ANCHOR_END: lobe
 

@@ -21,3 +21,32 @@ pub fn of_scene(scene: &Scene<BlinnPhong>, calls: &[Call]) -> Vec<Call> {
     let kept = |call: &&Call| call.effect != Effect::HardShadows || casts_shadows(scene);
     calls.iter().filter(kept).cloned().collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use blinn_phong::scenes::{Stage, brute_force};
+    use glam::Vec3;
+
+    use super::casts_shadows;
+    use crate::scenes::named;
+
+    fn stage(name: &str) -> Stage {
+        named(name, brute_force).expect("it is built in")
+    }
+
+    #[test]
+    fn one_ball_casts_no_shadow_unless_it_is_around_the_eye() {
+        let mut alone = stage("alone").scene;
+        assert!(!casts_shadows(&alone));
+        alone.view.eye = Vec3::new(-1.1, 1.2, -0.4);
+        assert!(casts_shadows(&alone));
+        assert!(!casts_shadows(&stage("empty").scene));
+    }
+
+    #[test]
+    fn two_things_or_a_mesh_can_cast_some() {
+        for name in ["three-lamps", "whitted", "two-lamps", "sphere:60"] {
+            assert!(casts_shadows(&stage(name).scene), "{name}");
+        }
+    }
+}

@@ -113,7 +113,7 @@ fn alone(place: Place) -> Scene<BlinnPhong> {
             eye: place.point(0.6, 4.4, 7.6),
             target: place.point(0.0, 0.6, 0.0),
             up: Vec3::Y,
-            vertical_fov: 40.0,
+            vertical_fov: 33.0,
         },
     }
 }

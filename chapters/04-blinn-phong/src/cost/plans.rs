@@ -24,57 +24,46 @@ fn settings() -> Settings {
 }
 
 pub(super) fn experiment() -> Result<Experiment<'static>, Failure> {
-    let mut methods = scene("low-lamp", lit_by_hand)?;
-    methods.extend(scene("dark", dark_by_hand)?);
-    methods.extend(scene("empty", empty_by_hand)?);
+    let mut methods = scene(1, "low-lamp", lit_by_hand)?;
+    methods.extend(scene(2, "dark", dark_by_hand)?);
+    methods.extend(scene(3, "empty", empty_by_hand)?);
     Ok(Experiment {
         name: "plans",
         title: "What the plan saves: a scene's own effects, all effects, and a loop made for the scene",
         work_unit: "pixels",
         error_metric: "RMS difference of the picture from that with all effects",
-        plot: Plot::TimeOver("effects simulated"),
+        plot: Plot::TimeOver("the scene: 1 is low-lamp, 2 is dark, 3 is empty"),
         methods,
         note,
     })
 }
 
-/// The three ways to draw a scene.
-fn scene(name: &'static str, by_hand: fn(&Stage) -> Film) -> Result<Vec<Method<'static>>, Failure> {
+/// The three ways to draw a scene, which has a number of its own on the plot.
+fn scene(
+    number: u32,
+    name: &'static str,
+    by_hand: fn(&Stage) -> Film,
+) -> Result<Vec<Method<'static>>, Failure> {
     let stage = Arc::new(Stage::named(name, brute_force)?);
     let reference = by_plan(&stage, Simulate::All);
-    let effects = |simulate| Plan::new(&stage.calls, SKILLS, simulate).simulated.len();
-    let (needed, all) = (effects(Simulate::Needed), effects(Simulate::All));
+    let method = |way: &'static str, draw: fn(&Stage) -> Film| {
+        let (stage, Settings { width, height, .. }) = (stage.clone(), settings());
+        Method {
+            label: format!("{name}, {way}"),
+            series: way,
+            size: f64::from(number),
+            work: u64::from(width) * u64::from(height),
+            error: film_rmse(&reference, &draw(&stage)).unwrap_or(f64::NAN),
+            run: Box::new(move || {
+                black_box(draw(&stage));
+            }),
+        }
+    };
     Ok(vec![
-        method(name, "as called for", needed, &reference, {
-            let stage = stage.clone();
-            move || by_plan(&stage, Simulate::Needed)
-        }),
-        method(name, "all effects", all, &reference, {
-            let stage = stage.clone();
-            move || by_plan(&stage, Simulate::All)
-        }),
-        method(name, "by hand", needed, &reference, move || by_hand(&stage)),
+        method("as called for", |stage| by_plan(stage, Simulate::Needed)),
+        method("all effects", |stage| by_plan(stage, Simulate::All)),
+        method("by hand", by_hand),
     ])
-}
-
-fn method(
-    series: &'static str,
-    way: &str,
-    effects: usize,
-    reference: &Film,
-    draw: impl Fn() -> Film + 'static,
-) -> Method<'static> {
-    let Settings { width, height, .. } = settings();
-    Method {
-        label: format!("{series}, {way}"),
-        series,
-        size: effects as f64,
-        work: u64::from(width) * u64::from(height),
-        error: film_rmse(reference, &draw()).unwrap_or(f64::NAN),
-        run: Box::new(move || {
-            black_box(draw());
-        }),
-    }
 }
 
 fn by_plan(stage: &Stage, simulate: Simulate) -> Film {

@@ -4,7 +4,7 @@ use common::hard::{Case, UNLIMITED};
 use common::math;
 use common::sampler::Stream;
 
-use super::CHAPTER;
+use super::{CHAPTER, U};
 use crate::models::lobe;
 use crate::squaring;
 
@@ -62,8 +62,8 @@ fn drawn(trial: u64) -> (f32, Exponent) {
 /// A highlight is from 0 to 1; it is 0 behind the surface and for an exponent of 0; and else it is
 /// the power of the cosine, or of 1 if rounding made more of it.
 ///
-/// `libm` promises a power to one unit in the last place; below the smallest `f32` with all its
-/// digits, to the step of those.
+/// To one unit in the last place, which both power functions promise; or to one step between the
+/// smallest numbers.
 fn is_wrong(cosine: f32, Exponent { n, power }: Exponent, highlight: fn(f32, f32) -> f32) -> bool {
     let found = highlight(cosine, n);
     if !(0.0..=1.0).contains(&found) {
@@ -73,7 +73,7 @@ fn is_wrong(cosine: f32, Exponent { n, power }: Exponent, highlight: fn(f32, f32
         return found != 0.0;
     }
     let exact = power(f64::from(cosine).min(1.0));
-    !((f64::from(found) - exact).abs() <= 2e-7 * exact + 1e-44)
+    !((f64::from(found) - exact).abs() <= 2.0 * U * exact + 1.5e-45)
 }
 
 #[cfg(test)]

@@ -21,8 +21,8 @@ pub(crate) struct Spot {
 
 impl Spot {
     /// A sphere with a radius of 10⁻⁴ to 10⁴, 10⁻⁴ to 10⁶ from the origin and hit from up to 10⁸
-    /// away. Its radius is 16 steps of the lattice of `f32` or more: one that is nearly a single
-    /// point of it has no inside to start in.
+    /// away. Its radius is 64 steps of the lattice of `f32` or more: a step to the next `f32` must
+    /// not lead out of it again.
     pub(crate) fn new(trial: u64) -> Self {
         let mut stream = Stream::of_trial(503, trial);
         loop {
@@ -31,7 +31,7 @@ impl Spot {
             let center = draw::direction(&mut stream).as_vec3() * distance;
             let steps = f64::from(radius) / draw::ulp(center.abs().max_element());
             let spot = Self::on(&mut stream, Sphere { center, radius });
-            if let Some(spot) = spot.filter(|_| steps >= 16.0) {
+            if let Some(spot) = spot.filter(|_| steps >= 64.0) {
                 return spot;
             }
         }

@@ -38,11 +38,14 @@ fn draw_scene(stream: &mut Stream, on_wall: bool) -> Option<Scene> {
     let way = draw::direction(stream);
     let floor = patch(stream, place, way, distance)?;
     let lamp = (place.as_dvec3() + f64::from(distance) * way).as_vec3();
-    let floor_hit = struck(floor.as_ref(), place, way)?;
+    let floor_hit = struck(floor.as_ref(), place, way, distance)?;
     if on_wall {
         let size = distance * draw::decade(stream, -2.0, 0.0);
         let wall = patch(stream, lamp, -way, size)?;
-        let hit = struck(wall.as_ref(), lamp, -way)?;
+        let hit = struck(wall.as_ref(), lamp, -way, distance)?;
+        if !(faces(&hit, floor_hit.point) && faces(&floor_hit, hit.point)) {
+            return None;
+        }
         let shapes = vec![floor, wall];
         return Some(Scene { shapes, floor: floor_hit, lamp: hit.point, wall: Some(hit) });
     }
@@ -81,11 +84,16 @@ fn patch(stream: &mut Stream, place: Vec3, way: DVec3, size: f32) -> Option<Box<
 }
 
 /// The surface at `place`, seen from along `way`.
-fn struck(shape: &dyn Shape, place: Vec3, way: DVec3) -> Option<Hit> {
-    let normal_side = way.as_vec3();
-    let origin = place + 0.01 * normal_side * (1.0 + place.length());
-    let hit = shape.hit(&Ray { origin, direction: -normal_side }, f32::INFINITY)?;
-    (hit.geometric.dot(normal_side).abs() > 1e-4).then_some(hit)
+fn struck(shape: &dyn Shape, place: Vec3, way: DVec3, distance: f32) -> Option<Hit> {
+    let origin = place + 0.1 * distance * way.as_vec3();
+    shape.hit(&Ray { origin, direction: -way.as_vec3() }, f32::INFINITY)
+}
+
+/// Whether the surface's front is clearly to be seen from `other`: rounding has turned the normal of
+/// some small spheres, which then are in their own way.
+fn faces(hit: &Hit, other: Vec3) -> bool {
+    let toward = (other.as_dvec3() - hit.point.as_dvec3()).normalize();
+    hit.geometric.as_dvec3().dot(toward) > 5e-4
 }
 
 pub(super) fn naive(trial: u64) -> bool {
