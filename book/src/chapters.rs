@@ -3,6 +3,7 @@
 use boxes::command::Boxes;
 use common::chapter::Entry;
 use object_order::command::ObjectOrder;
+use partitions::command::Partitions;
 use ray_casting::command::RayCasting;
 use triangles::command::Triangles;
 
@@ -12,6 +13,7 @@ pub const CHAPTERS: &[Entry] = &[
     Entry::of::<Triangles>(),
     Entry::of::<ObjectOrder>(),
     Entry::of::<Boxes>(),
+    Entry::of::<Partitions>(),
 ];
 
 /// The chapter that a reader calls `name`: "1", "01", "01-ray-casting" or "ray-casting".

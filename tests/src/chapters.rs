@@ -6,11 +6,12 @@ use common::chapter::Entry;
 use serde_json::Value;
 
 /// Every chapter, in the book's order.
-pub const CHAPTERS: [Entry; 4] = [
+pub const CHAPTERS: [Entry; 5] = [
     Entry::of::<ray_casting::command::RayCasting>(),
     Entry::of::<triangles::command::Triangles>(),
     Entry::of::<object_order::command::ObjectOrder>(),
     Entry::of::<boxes::command::Boxes>(),
+    Entry::of::<partitions::command::Partitions>(),
 ];
 
 /// What the chapter's command line prints. Panics with the chapter's own message if it fails.
