@@ -2,8 +2,10 @@
 
 use blinn_phong::command::LitScenes;
 use boxes::command::Boxes;
+use bvh::command::Hierarchies;
 use common::chapter::Entry;
 use object_order::command::ObjectOrder;
+use partitions::command::Partitions;
 use ray_casting::command::RayCasting;
 use shadows::command::Shadows;
 use triangles::command::Triangles;
@@ -16,6 +18,8 @@ pub const CHAPTERS: &[Entry] = &[
     Entry::of::<LitScenes>(),
     Entry::of::<Shadows>(),
     Entry::of::<Boxes>(),
+    Entry::of::<Partitions>(),
+    Entry::of::<Hierarchies>(),
 ];
 
 /// The chapter that a reader calls `name`: "1", "01", "01-ray-casting" or "ray-casting".

@@ -6,13 +6,15 @@ use common::chapter::Entry;
 use serde_json::Value;
 
 /// Every chapter, in the book's order.
-pub const CHAPTERS: [Entry; 6] = [
+pub const CHAPTERS: [Entry; 8] = [
     Entry::of::<ray_casting::command::RayCasting>(),
     Entry::of::<triangles::command::Triangles>(),
     Entry::of::<object_order::command::ObjectOrder>(),
     Entry::of::<blinn_phong::command::LitScenes>(),
     Entry::of::<shadows::command::Shadows>(),
     Entry::of::<boxes::command::Boxes>(),
+    Entry::of::<partitions::command::Partitions>(),
+    Entry::of::<bvh::command::Hierarchies>(),
 ];
 
 /// What the chapter's command line prints. Panics with the chapter's own message if it fails.

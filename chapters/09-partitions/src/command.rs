@@ -60,11 +60,11 @@ pub struct Knobs {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, clap::ValueEnum)]
 pub enum ViewChoice {
     /// Directions of the surface as colours
-    #[default]
     Normals,
     /// Distances as greys
     Depth,
     /// Triangle tests, cells and nodes of each ray, from black for none to white for 400
+    #[default]
     Work,
 }
 
@@ -88,8 +88,7 @@ pub struct Stage {
 
 impl Chapter for Partitions {
     const ID: &'static str = "09-partitions";
-    const ABOUT: &'static str =
-        "The bunny again: each ray asks the triangles in its way, and few others";
+    const ABOUT: &'static str = "Where the work of the bunny is, when each ray asks the triangles in its way and few others";
     const DEFAULTS: Defaults = Defaults { scene: "bunny", width: 640, height: 480, spp: 1 };
     const SCENES: &'static [SceneName] = scene::SCENES;
     const SKILLS: &'static [Skill] = &[
