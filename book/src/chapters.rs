@@ -1,9 +1,12 @@
 //! The chapters the book can run, in their order.
 
 use blinn_phong::command::LitScenes;
+use boxes::command::Boxes;
+use bvh::command::Hierarchies;
 use common::chapter::Entry;
 use fresnel::command::Fresnel;
 use object_order::command::ObjectOrder;
+use partitions::command::Partitions;
 use ray_casting::command::RayCasting;
 use shadows::command::Shadows;
 use triangles::command::Triangles;
@@ -18,6 +21,9 @@ pub const CHAPTERS: &[Entry] = &[
     Entry::of::<Shadows>(),
     Entry::of::<Whitted>(),
     Entry::of::<Fresnel>(),
+    Entry::of::<Boxes>(),
+    Entry::of::<Partitions>(),
+    Entry::of::<Hierarchies>(),
 ];
 
 /// The chapter that a reader calls `name`: "1", "01", "01-ray-casting" or "ray-casting".

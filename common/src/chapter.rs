@@ -13,7 +13,7 @@ use std::ffi::OsString;
 use std::io::Write;
 use std::process::ExitCode;
 
-use clap::{Args, CommandFactory, FromArgMatches};
+use clap::{ArgMatches, Args, CommandFactory, FromArgMatches};
 
 use crate::args::{Cli, Command};
 use crate::cost::Experiment;
@@ -42,6 +42,8 @@ pub trait Chapter {
     const EVENTS: &'static [Event];
     /// The longest side of a picture it can draw, in pixels.
     const LONGEST_SIDE: u32 = u32::MAX;
+    /// Subcommands that no other chapter has.
+    const COMMANDS: &'static [OwnCommand] = &[];
 
     /// Its own options.
     type Knobs: Args;
@@ -77,6 +79,19 @@ pub trait Chapter {
     fn hard_picture() -> Option<Film> {
         None
     }
+}
+
+/// A subcommand of one chapter alone, beside `cost` and `hard`.
+#[derive(Clone, Copy, Debug)]
+pub struct OwnCommand {
+    /// What to type.
+    pub name: &'static str,
+    /// What it does, in one line for `--help`.
+    pub about: &'static str,
+    /// Adds its options: `augment_args` of a type that derives [`Args`].
+    pub options: fn(clap::Command) -> clap::Command,
+    /// Does it; text goes to the writer.
+    pub run: fn(&ArgMatches, &mut dyn Write) -> Result<ExitCode, Failure>,
 }
 
 /// What a chapter draws when nothing is said.
@@ -140,13 +155,22 @@ pub fn main<C: Chapter>() -> ExitCode {
 /// Runs one command line of chapter `C`.
 fn run<C: Chapter>(arguments: &[OsString], out: &mut dyn Write) -> Result<ExitCode, Failure> {
     let name = C::ID.split_once('-').map_or(C::ID, |(_number, name)| name);
+    let own = C::COMMANDS
+        .iter()
+        .map(|own| (own.options)(clap::Command::new(own.name)).about(own.about));
     let command = Cli::<C::Knobs>::command()
         .name(name)
         .bin_name(name)
         .about(C::ABOUT)
+        .subcommands(own)
         .after_help(scene_list(C::SCENES));
     let program = OsString::from(name);
     let matches = command.try_get_matches_from(std::iter::once(&program).chain(arguments))?;
+    if let Some((name, matches)) = matches.subcommand()
+        && let Some(own) = C::COMMANDS.iter().find(|own| own.name == name)
+    {
+        return (own.run)(matches, out);
+    }
     let cli = Cli::<C::Knobs>::from_arg_matches(&matches)?;
     match cli.command {
         None => picture::run::<C>(&cli.render, &cli.knobs, out),

@@ -6,7 +6,7 @@ use common::chapter::Entry;
 use serde_json::Value;
 
 /// Every chapter, in the book's order.
-pub const CHAPTERS: [Entry; 7] = [
+pub const CHAPTERS: [Entry; 10] = [
     Entry::of::<ray_casting::command::RayCasting>(),
     Entry::of::<triangles::command::Triangles>(),
     Entry::of::<object_order::command::ObjectOrder>(),
@@ -14,6 +14,9 @@ pub const CHAPTERS: [Entry; 7] = [
     Entry::of::<shadows::command::Shadows>(),
     Entry::of::<whitted::command::Whitted>(),
     Entry::of::<fresnel::command::Fresnel>(),
+    Entry::of::<boxes::command::Boxes>(),
+    Entry::of::<partitions::command::Partitions>(),
+    Entry::of::<bvh::command::Hierarchies>(),
 ];
 
 /// What the chapter's command line prints. Panics with the chapter's own message if it fails.

@@ -40,6 +40,13 @@ impl Quad {
     }
     // ANCHOR_END: new
 
+    /// Its corners, in the order in which its edge runs through them.
+    pub fn corners(&self) -> [Vec3; 4] {
+        let [first, second] = self.edges;
+        let corner = self.corner;
+        [corner, corner + first, corner + first + second, corner + second]
+    }
+
     // ANCHOR: place
     /// Where in the parallelogram a point of its plane lies: (0, 0) in the corner, (1, 1) opposite.
     fn place(&self, point: Vec3) -> Vec2 {

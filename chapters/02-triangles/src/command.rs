@@ -111,16 +111,20 @@ impl Chapter for Triangles {
         let picture = Picture { mesh, camera, show: knobs.view, depths: *depths };
         let smooth = plan.simulates(Effect::SmoothNormals);
         let (all, far) = (packed.corners(), f32::INFINITY);
+        let count_all = |tally: &mut T| tally.count(TRIANGLE_TESTS, packed.len() as u64);
         match knobs.test {
-            TestChoice::Watertight => {
-                picture.draw(settings, smooth, |ray| packed.nearest(ray, far))
-            }
-            TestChoice::Naive => {
-                picture.draw(settings, smooth, |ray| nearest::<MollerTrumbore>(all, ray, far))
-            }
-            TestChoice::F64 => {
-                picture.draw(settings, smooth, |ray| nearest::<DoubleRay>(all, ray, far))
-            }
+            TestChoice::Watertight => picture.draw(settings, smooth, |ray, tally| {
+                count_all(tally);
+                packed.nearest(ray, far)
+            }),
+            TestChoice::Naive => picture.draw(settings, smooth, |ray, tally| {
+                count_all(tally);
+                nearest::<MollerTrumbore>(all, ray, far)
+            }),
+            TestChoice::F64 => picture.draw(settings, smooth, |ray, tally| {
+                count_all(tally);
+                nearest::<DoubleRay>(all, ray, far)
+            }),
         }
     }
 

@@ -15,9 +15,9 @@ use crate::watertight::ShearedRay;
 pub const LANES: usize = 4;
 
 // ANCHOR: pack
-/// Triangles that are asked together.
+/// Up to four triangles that are asked together.
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct Pack {
+pub struct Pack {
     /// The four triangles' corners a, then b, then c: of each the four x, the four y, the four z.
     corners: [[Vec4; 3]; 3],
 }
@@ -59,7 +59,7 @@ impl Packed {
         let mut nearest = None;
         let mut limit = t_max;
         for (pack, first) in self.packs.iter().zip((0..).step_by(LANES)) {
-            if pack.all_missed(&four_rays) {
+            if pack.candidates(&four_rays) == 0 {
                 continue;
             }
             for (index, corners) in (first..).zip(self.corners[first..].iter().take(LANES)) {
@@ -78,7 +78,7 @@ impl Packed {
         let ray = ShearedRay::prepare(ray)?;
         let four_rays = FourRays::new(&ray);
         let packs = self.packs.iter().zip((0..).step_by(LANES));
-        packs.filter(|(pack, _)| !pack.all_missed(&four_rays)).find_map(|(_, first)| {
+        packs.filter(|(pack, _)| pack.candidates(&four_rays) != 0).find_map(|(_, first)| {
             let four = (first..).zip(self.corners[first..].iter().take(LANES));
             four.into_iter().find(|(_, it)| ray.hit(it, t_max).is_some()).map(|(index, _)| index)
         })
@@ -86,8 +86,9 @@ impl Packed {
 }
 
 impl Pack {
-    /// Up to [`LANES`] triangles; where there are fewer, the first fills the rest.
-    fn new(triangles: &[[Vec3; 3]]) -> Self {
+    /// The first [`LANES`] of these triangles, of which there must be one; where there are fewer,
+    /// the first fills the rest.
+    pub fn new(triangles: &[[Vec3; 3]]) -> Self {
         let lane = |lane: usize| triangles.get(lane).unwrap_or(&triangles[0]);
         let four =
             |corner: usize, axis: usize| Vec4::from([0, 1, 2, 3].map(|at| lane(at)[corner][axis]));
@@ -95,22 +96,37 @@ impl Pack {
         Self { corners }
     }
 
-    // ANCHOR: all_missed
-    /// Whether edge functions of different signs prove for each triangle that the ray misses it.
+    /// The corners of one of the triangles.
     #[inline]
-    fn all_missed(&self, ray: &FourRays) -> bool {
+    pub fn triangle(&self, lane: usize) -> [Vec3; 3] {
+        self.corners.map(|corner| Vec3::from(corner.map(|four| four[lane])))
+    }
+
+    /// The corners of one of the triangles in the ray's coordinates, as [`ShearedRay::measure`]
+    /// wants them.
+    #[inline]
+    pub fn sheared(&self, lane: usize, ray: &FourRays) -> [Vec3; 3] {
+        self.corners.each_ref().map(|corner| ray.shear_one(corner, lane))
+    }
+
+    // ANCHOR: candidates
+    /// The triangles that the ray may hit, a bit for each, the lowest for the first. Of the others
+    /// edge functions of different signs prove that it misses them.
+    #[inline]
+    pub fn candidates(&self, ray: &FourRays) -> u32 {
         let [a, b, c] = &self.corners;
         let (a, b, c) = (ray.shear(a), ray.shear(b), ray.shear(c));
         let (u, v, w) = (edge(&b, &c), edge(&c, &a), edge(&a, &b));
         let negative = u.cmplt(Vec4::ZERO) | v.cmplt(Vec4::ZERO) | w.cmplt(Vec4::ZERO);
         let positive = u.cmpgt(Vec4::ZERO) | v.cmpgt(Vec4::ZERO) | w.cmpgt(Vec4::ZERO);
-        (negative & positive).all()
+        (!(negative & positive)).bitmask()
     }
-    // ANCHOR_END: all_missed
+    // ANCHOR_END: candidates
 }
 
 /// One ray, in each lane.
-struct FourRays {
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FourRays {
     order: [usize; 3],
     origin: [Vec4; 3],
     shear: [Vec4; 2],
@@ -123,11 +139,21 @@ struct FourPoints {
 }
 
 impl FourRays {
-    fn new(ray: &ShearedRay) -> Self {
+    /// The ray four times.
+    #[inline]
+    pub fn new(ray: &ShearedRay) -> Self {
         let order = ray.longest.order();
         let origin = order.map(|axis| Vec4::splat(ray.origin[axis]));
         let shear = [Vec4::splat(ray.shear.x), Vec4::splat(ray.shear.y)];
         Self { order, origin, shear }
+    }
+
+    /// What [`Self::shear`] does, for one lane.
+    #[inline]
+    fn shear_one(&self, corner: &[Vec4; 3], lane: usize) -> Vec3 {
+        let [x, y, z] = self.order.map(|axis| corner[axis].as_ref()[lane]);
+        let [x, y, depth] = [x - self.origin[0].x, y - self.origin[1].x, z - self.origin[2].x];
+        Vec3::new(x - self.shear[0].x * depth, y - self.shear[1].x * depth, depth)
     }
 
     #[inline]
@@ -152,10 +178,11 @@ mod tests {
     use glam::Vec3;
     use ray_casting::ray::Ray;
 
-    use super::Packed;
+    use super::{FourRays, Pack, Packed};
     use crate::brute::nearest;
     use crate::bumpy;
     use crate::hard::aimed::NEAR;
+    use crate::intersect::TriangleTest;
     use crate::watertight::ShearedRay;
 
     #[test]
@@ -171,6 +198,25 @@ mod tests {
                     let one = nearest::<ShearedRay>(&corners, &aim.ray, f32::INFINITY);
                     assert_eq!(packed.nearest(&aim.ray, f32::INFINITY), one);
                 }
+            }
+        }
+    }
+
+    #[test]
+    fn one_of_four_is_the_triangle_it_was() {
+        let corners = bumpy::sphere(96).all_corners();
+        let ray = Ray { origin: Vec3::new(0.1, 0.2, 0.3), direction: Vec3::new(-2.0, 0.5, 1.0) };
+        let sheared = ShearedRay::prepare(&ray).expect("an ordinary ray");
+        let four_rays = FourRays::new(&sheared);
+        for four in corners.chunks(4) {
+            let pack = Pack::new(four);
+            for (lane, corners) in four.iter().enumerate() {
+                assert_eq!(pack.triangle(lane), *corners);
+                let hit = sheared.hit(corners, f32::INFINITY);
+                let candidate = pack.candidates(&four_rays) >> lane & 1 == 1;
+                assert!(candidate || hit.is_none());
+                let measured = sheared.measure(pack.sheared(lane, &four_rays), f32::INFINITY);
+                assert_eq!(measured, hit);
             }
         }
     }

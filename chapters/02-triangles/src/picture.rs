@@ -8,7 +8,7 @@ use ray_casting::camera::{CAMERA_RAYS, Camera};
 use ray_casting::picture::{BACKGROUND, Show};
 use ray_casting::ray::Ray;
 
-use crate::brute::{Found, TRIANGLE_TESTS};
+use crate::brute::Found;
 use crate::mesh::Mesh;
 use crate::surface;
 
@@ -29,13 +29,14 @@ pub struct Picture<'a> {
 
 impl Picture<'_> {
     // ANCHOR: draw
-    /// One ray for each sample of each pixel; `nearest` says what it hits. Whether normals are
-    /// smooth is settled before the first ray, so what is left out costs nothing.
+    /// One ray for each sample of each pixel; `nearest` says what it hits, and counts its work.
+    /// Whether normals are smooth is settled before the first ray, so what is left out costs
+    /// nothing.
     pub fn draw<T: Tally>(
         &self,
         settings: &Settings,
         smooth: bool,
-        nearest: impl Fn(&Ray) -> Option<Found> + Sync,
+        nearest: impl Fn(&Ray, &mut T) -> Option<Found> + Sync,
     ) -> Rendering<T> {
         match smooth {
             true => self.draw_with::<T, true>(settings, nearest),
@@ -46,14 +47,12 @@ impl Picture<'_> {
     fn draw_with<T: Tally, const SMOOTH: bool>(
         &self,
         settings: &Settings,
-        nearest: impl Fn(&Ray) -> Option<Found> + Sync,
+        nearest: impl Fn(&Ray, &mut T) -> Option<Found> + Sync,
     ) -> Rendering<T> {
-        let triangles = self.mesh.triangles.len() as u64;
         render_counted(settings, |pixel, sampler, tally: &mut T| {
             let ray = self.camera.ray(pixel.position(sampler));
             tally.count(CAMERA_RAYS, 1);
-            tally.count(TRIANGLE_TESTS, triangles);
-            match nearest(&ray) {
+            match nearest(&ray, tally) {
                 Some(found) => self.color::<T, SMOOTH>(&found, tally),
                 None => self.background(),
             }
@@ -106,7 +105,7 @@ impl Depths {
 #[cfg(test)]
 mod tests {
     use common::render::Settings;
-    use common::tally::Counts;
+    use common::tally::{Counts, Tally};
     use glam::Vec3;
     use ray_casting::camera::{CAMERA_RAYS, Camera, View};
     use ray_casting::picture::Show;
@@ -125,7 +124,10 @@ mod tests {
         let picture = Picture { mesh, camera, show, depths: Depths::of(mesh, eye) };
         let settings = Settings { width: 40, height: 30, spp: 2, threads, ..Settings::default() };
         let packed = Packed::new(mesh.all_corners());
-        let nearest = |ray: &_| packed.nearest(ray, f32::INFINITY);
+        let nearest = |ray: &_, tally: &mut Counts| {
+            tally.count(TRIANGLE_TESTS, packed.len() as u64);
+            packed.nearest(ray, f32::INFINITY)
+        };
         let rendering = picture.draw::<Counts>(&settings, smooth, nearest);
         assert_eq!(rendering.tally.of(CAMERA_RAYS), 2400);
         assert_eq!(rendering.tally.of(TRIANGLE_TESTS), 2400 * mesh.triangles.len() as u64);

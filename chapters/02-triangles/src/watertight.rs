@@ -21,6 +21,7 @@ pub struct ShearedRay {
 }
 
 impl TriangleTest for ShearedRay {
+    #[inline]
     fn prepare(ray: &Ray) -> Option<Self> {
         let longest = Axis::longest(ray.direction);
         let direction = longest.to_third(ray.direction);
@@ -40,7 +41,7 @@ impl TriangleTest for ShearedRay {
         if differ_in_sign(edge(b, c), edge(c, a), edge(a, b)) {
             return None;
         }
-        self.measure(corners, [a, b, c], t_max)
+        self.measure([a, b, c], t_max).filter(|_| has_area(corners))
     }
     // ANCHOR_END: hit
 }
@@ -59,9 +60,10 @@ impl ShearedRay {
     // ANCHOR_END: shear
 
     // ANCHOR: measure
-    /// Decides in f64, where the sign of an edge function is exact, and measures what is hit.
+    /// Decides in f64, where the sign of an edge function is exact, and measures what is hit. The
+    /// corners are in the ray's coordinates, and the triangle must have an area.
     #[inline(never)]
-    fn measure(&self, corners: &[Vec3; 3], sheared: [Vec3; 3], t_max: f32) -> Option<TriangleHit> {
+    pub fn measure(&self, sheared: [Vec3; 3], t_max: f32) -> Option<TriangleHit> {
         let [a, b, c] = sheared;
         let (u, v, w) = (exact_edge(b, c), exact_edge(c, a), exact_edge(a, b));
         if (u < 0.0 || v < 0.0 || w < 0.0) && (u > 0.0 || v > 0.0 || w > 0.0) {
@@ -71,7 +73,7 @@ impl ShearedRay {
         let depth = sum(u * f64::from(a.z), v * f64::from(b.z), w * f64::from(c.z)) / determinant;
         let t = (depth / f64::from(self.advance)) as f32;
         // NaN fails every comparison, so 0/0 from a triangle seen edge-on ends here too.
-        if !(t > 0.0 && t < t_max && has_area(corners)) {
+        if !(t > 0.0 && t < t_max) {
             return None;
         }
         let weights = [u, v, w].map(|weight| (weight / determinant) as f32);
@@ -135,6 +137,7 @@ pub(crate) enum Axis {
 
 impl Axis {
     /// The axis along which `direction` goes farthest.
+    #[inline]
     fn longest(direction: Vec3) -> Self {
         let size = direction.abs();
         match size {
