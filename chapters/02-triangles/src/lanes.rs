@@ -106,7 +106,8 @@ impl Pack {
     /// wants them.
     #[inline]
     pub fn sheared(&self, lane: usize, ray: &FourRays) -> [Vec3; 3] {
-        self.corners.each_ref().map(|corner| ray.shear_one(corner, lane))
+        let [a, b, c] = &self.corners;
+        [ray.shear_one(a, lane), ray.shear_one(b, lane), ray.shear_one(c, lane)]
     }
 
     // ANCHOR: candidates
@@ -143,7 +144,9 @@ impl FourRays {
     #[inline]
     pub fn new(ray: &ShearedRay) -> Self {
         let order = ray.longest.order();
-        let origin = order.map(|axis| Vec4::splat(ray.origin[axis]));
+        let [i, j, k] = order;
+        let splat = |axis: usize| Vec4::splat(ray.origin[axis]);
+        let origin = [splat(i), splat(j), splat(k)];
         let shear = [Vec4::splat(ray.shear.x), Vec4::splat(ray.shear.y)];
         Self { order, origin, shear }
     }
@@ -151,8 +154,10 @@ impl FourRays {
     /// What [`Self::shear`] does, for one lane.
     #[inline]
     fn shear_one(&self, corner: &[Vec4; 3], lane: usize) -> Vec3 {
-        let [x, y, z] = self.order.map(|axis| corner[axis].as_ref()[lane]);
-        let [x, y, depth] = [x - self.origin[0].x, y - self.origin[1].x, z - self.origin[2].x];
+        let [i, j, k] = self.order;
+        let x = corner[i].as_ref()[lane] - self.origin[0].x;
+        let y = corner[j].as_ref()[lane] - self.origin[1].x;
+        let depth = corner[k].as_ref()[lane] - self.origin[2].x;
         Vec3::new(x - self.shear[0].x * depth, y - self.shear[1].x * depth, depth)
     }
 

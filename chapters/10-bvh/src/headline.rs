@@ -13,14 +13,18 @@ use common::interrupt;
 use common::plan::{Plan, Simulate};
 use common::render::{Rendering, Settings, Watch};
 use common::tally::Off;
+use partitions::accelerator::{Accelerator, Statistics};
 use serde_json::json;
 use shadows::calls;
 use shadows::command::SKILLS;
 use shadows::offset::Offset;
 use shadows::picture::Picture;
 use shadows::scenes::named;
+use triangles::bunny::bunny;
+use triangles::convert::Normals;
 
 use crate::choice::AccelChoice;
+use crate::packed::PackedBvh;
 
 /// `headline`.
 pub const COMMAND: OwnCommand = OwnCommand {
@@ -83,7 +87,11 @@ fn run(matches: &ArgMatches, out: &mut dyn Write) -> Result<ExitCode, Failure> {
         let Options { size: Size { width, height }, threads, .. } = options;
         let object = json!({
             "width": width, "height": height, "threads": threads,
-            "bvh": { "build_seconds": tree.build_seconds, "seconds": tree.seconds },
+            "bvh": {
+                "build_seconds": tree.build_seconds,
+                "seconds": tree.seconds,
+                "bytes_per_triangle": bytes_per_triangle()?,
+            },
             "brute": { "seconds": brute.seconds },
             "ratio": ratio,
             "report": { "bvh": with, "brute": without, "ratio": without / with },
@@ -100,6 +108,13 @@ fn run(matches: &ArgMatches, out: &mut dyn Write) -> Result<ExitCode, Failure> {
         true => Ok(ExitCode::SUCCESS),
         false => Err(Failure::Work("the two pictures are not the same".into())),
     }
+}
+
+/// What the bunny's tree takes in memory, its triangles included.
+fn bytes_per_triangle() -> Result<f64, Failure> {
+    let mesh = bunny(Normals::Flat).map_err(|error| Failure::Work(error.to_string()))?;
+    let Statistics { bytes, triangles, .. } = PackedBvh::build(mesh.all_corners()).statistics();
+    Ok(bytes as f64 / triangles as f64)
 }
 
 /// One sample a pixel, two lamps, shadows.

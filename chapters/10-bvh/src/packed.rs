@@ -172,23 +172,22 @@ impl Four {
     }
 
     // ANCHOR: hits
-    /// Gives `found` the hits among these triangles that are nearer than its limit, one by one.
+    /// The next hit below `limit` among the candidates, which are a bit for each lane. Those that
+    /// were asked are taken out.
     #[inline]
-    fn hits(&self, ray: &Prepared, mut found: impl FnMut(Found) -> f32, mut limit: f32) -> f32 {
-        let mut candidates = self.pack.candidates(&ray.four);
-        while candidates != 0 {
+    fn next_hit(&self, candidates: &mut u32, ray: &Prepared, limit: f32) -> Option<Found> {
+        while *candidates != 0 {
             let lane = candidates.trailing_zeros() as usize;
-            candidates &= candidates - 1;
+            *candidates &= *candidates - 1;
             let index = self.indices[lane];
             if index == NONE {
                 continue;
             }
-            let corners = self.pack.sheared(lane, &ray.four);
-            if let Some(hit) = ray.sheared.measure(corners, limit) {
-                limit = found(Found { hit, index: index as usize });
+            if let Some(hit) = ray.sheared.measure(self.pack.sheared(lane, &ray.four), limit) {
+                return Some(Found { hit, index: index as usize });
             }
         }
-        limit
+        None
     }
     // ANCHOR_END: hits
 }
@@ -200,10 +199,15 @@ struct Prepared {
 }
 
 impl Prepared {
+    /// The ray, made ready when it comes to its first leaf: many never do. None for one that hits
+    /// nothing, whatever there is.
     #[inline]
-    fn new(ray: &Ray) -> Option<Self> {
-        let sheared = ShearedRay::prepare(ray)?;
-        Some(Self { sheared, four: FourRays::new(&sheared) })
+    fn once<'a>(prepared: &'a mut Option<Self>, ray: &Ray) -> Option<&'a Self> {
+        if prepared.is_none() {
+            let sheared = ShearedRay::prepare(ray)?;
+            *prepared = Some(Self { sheared, four: FourRays::new(&sheared) });
+        }
+        prepared.as_ref()
     }
 }
 
@@ -234,19 +238,19 @@ impl Accelerator for PackedBvh {
     /// whichever was met first: so the limit after a hit is the next number above its distance.
     #[inline]
     fn nearest<T: Tally>(&self, ray: &Ray, t_max: f32, tally: &mut T) -> Option<Found> {
-        let prepared = Prepared::new(ray)?;
-        let mut limit = t_max;
+        let (mut prepared, mut limit) = (None, t_max);
         let mut nearest: Option<Found> = None;
         self.descend::<true, T>(ray, t_max, tally, |four, tally| {
             tally.count(TRIANGLE_TESTS, four.count());
-            let keep = |found: Found| {
-                let as_far = |best: &Found| found.hit.t == best.hit.t && found.index > best.index;
-                if !nearest.as_ref().is_some_and(as_far) {
+            let ray = Prepared::once(&mut prepared, ray)?;
+            let mut candidates = four.pack.candidates(&ray.four);
+            while let Some(found) = four.next_hit(&mut candidates, ray, limit) {
+                let earlier = |best: &Found| best.hit.t == found.hit.t && best.index < found.index;
+                if !nearest.as_ref().is_some_and(earlier) {
                     nearest = Some(found);
                 }
-                found.hit.t.next_up()
-            };
-            limit = four.hits(&prepared, keep, limit);
+                limit = found.hit.t.next_up();
+            }
             Some(limit)
         });
         nearest
@@ -257,18 +261,12 @@ impl Accelerator for PackedBvh {
     /// Whether there is any hit: the first one found ends the search, so no order is kept.
     #[inline]
     fn is_hit<T: Tally>(&self, ray: &Ray, t_max: f32, tally: &mut T) -> bool {
-        let Some(prepared) = Prepared::new(ray) else { return false };
-        let mut hit = false;
+        let (mut prepared, mut hit) = (None, false);
         self.descend::<false, T>(ray, t_max, tally, |four, tally| {
             tally.count(TRIANGLE_TESTS, four.count());
-            four.hits(
-                &prepared,
-                |found| {
-                    hit = true;
-                    found.hit.t
-                },
-                t_max,
-            );
+            let ray = Prepared::once(&mut prepared, ray)?;
+            let mut candidates = four.pack.candidates(&ray.four);
+            hit = four.next_hit(&mut candidates, ray, t_max).is_some();
             (!hit).then_some(t_max)
         });
         hit

@@ -98,7 +98,7 @@ impl PairRay {
         Self {
             origin: both(min_origin, -max_origin),
             inverse: both(min_inverse.abs(), max_inverse.abs()),
-            downward: [0, 1, 2].map(|axis| downward.test(axis)),
+            downward: [downward.test(0), downward.test(1), downward.test(2)],
         }
     }
 
@@ -110,10 +110,11 @@ impl PairRay {
     /// downwards meets the upper plane first: there the halves change places.
     #[inline]
     pub(crate) fn enter(&self, pair: &Pair, t_max: f32) -> Entered {
-        let [x, y, z] = [0, 1, 2].map(|axis| {
+        let passed = |axis: usize| {
             let passed = (pair.planes[axis] - self.origin[axis]) * self.inverse[axis];
             if self.downward[axis] { passed.zwxy() } else { passed }
-        });
+        };
+        let (x, y, z) = (passed(0), passed(1), passed(2));
         let ends = Vec4::new(0.0, 0.0, -t_max, -t_max);
         let last = x.max(y).max(z.max(ends));
         let which = last.cmple(-last.zwxy()).bitmask() & 0b11;

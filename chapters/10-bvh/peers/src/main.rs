@@ -44,14 +44,25 @@ fn compare(workload: &Workload, rounds: usize) {
     let corners = &workload.corners;
     println!("{}: {} triangles", workload.name, corners.len());
     let count = corners.len() as f64;
-    let built = taking_turns(rounds.min(5), || drop(black_box(Ours::build(corners))), || drop(black_box(Obvhs::build(corners))), || drop(black_box(Svenstaro::build(corners))));
+    let built = taking_turns(
+        rounds.min(5),
+        || drop(black_box(Ours::build(corners))),
+        || drop(black_box(Obvhs::build(corners))),
+        || drop(black_box(Svenstaro::build(corners))),
+    );
     line("build", "triangles", count, built);
-    let (ours, obvhs, other) = (Ours::build(corners), Obvhs::build(corners), Svenstaro::build(corners));
+    let (ours, obvhs, other) =
+        (Ours::build(corners), Obvhs::build(corners), Svenstaro::build(corners));
     let [a, b, c] = [ours.bytes(), obvhs.bytes(), other.bytes()].map(|bytes| bytes as f64 / count);
     println!("  bytes a triangle: {a:.0}, {b:.0}, {c:.0}");
     for (set, rays) in workload.sets() {
         let any = set == "shadow";
-        let spent = taking_turns(rounds, || trace(&ours, rays, any), || trace(&obvhs, rays, any), || trace(&other, rays, any));
+        let spent = taking_turns(
+            rounds,
+            || trace(&ours, rays, any),
+            || trace(&obvhs, rays, any),
+            || trace(&other, rays, any),
+        );
         line(set, "rays", rays.len() as f64, spent);
     }
 }
@@ -67,7 +78,12 @@ fn trace(tree: &impl Rival, rays: &[Limited], any: bool) {
 }
 
 /// The median seconds of each.
-fn taking_turns(rounds: usize, mut ours: impl FnMut(), mut second: impl FnMut(), mut third: impl FnMut()) -> [f64; 3] {
+fn taking_turns(
+    rounds: usize,
+    mut ours: impl FnMut(),
+    mut second: impl FnMut(),
+    mut third: impl FnMut(),
+) -> [f64; 3] {
     let mut times = [const { Vec::new() }; 3];
     for _ in 0..rounds {
         times[0].push(timed(&mut ours));

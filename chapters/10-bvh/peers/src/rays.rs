@@ -48,7 +48,8 @@ impl Workload {
         let camera = Camera::new(&scene.view, width, height)
             .map_err(|error| Failure::Work(error.to_string()))?;
         let corners = scene.mesh.all_corners();
-        let pixels = (0..height).flat_map(|y| (0..width).map(move |x| Vec2::new(x as f32, y as f32)));
+        let pixels =
+            (0..height).flat_map(|y| (0..width).map(move |x| Vec2::new(x as f32, y as f32)));
         let primary: Vec<Limited> = pixels
             .map(|pixel| Limited { ray: camera.ray(pixel + 0.5), t_max: f32::INFINITY })
             .collect();
@@ -92,5 +93,7 @@ fn cosine(normal: Vec3, random: Vec2) -> Vec3 {
     let side = if normal.x.abs() > 0.5 { Vec3::Y } else { Vec3::X };
     let tangent = normal.cross(side).normalize();
     let up = (1.0 - random.x).max(0.0).sqrt();
-    radius * math::cos(angle) * tangent + radius * math::sin(angle) * normal.cross(tangent) + up * normal
+    radius * math::cos(angle) * tangent
+        + radius * math::sin(angle) * normal.cross(tangent)
+        + up * normal
 }

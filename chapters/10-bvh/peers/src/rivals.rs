@@ -5,7 +5,6 @@ use std::time::Duration;
 use bvh_chapter::build::Recipe;
 use bvh_chapter::packed::PackedBvh;
 use common::tally::Off;
-use partitions::accelerator::Accelerator;
 use glam::{Vec3, Vec3A};
 use nalgebra::{Point3, Vector3};
 use obvhs::BvhBuildParams;
@@ -14,6 +13,7 @@ use obvhs::bvh2::builder::build_bvh2_from_tris;
 use obvhs::ray::RayHit;
 use obvhs::rt_triangle::RtTriangle;
 use obvhs::triangle::Triangle;
+use partitions::accelerator::Accelerator;
 use peer::aabb::{Aabb, Bounded, IntersectsAabb};
 use peer::bounding_hierarchy::{BHShape, BoundingHierarchy};
 use std::cell::Cell;
@@ -87,7 +87,8 @@ impl Rival for Obvhs {
     #[inline]
     fn nearest(&self, ray: &Limited) -> f32 {
         let mut hit = RayHit::none();
-        self.tree.ray_traverse(obvhs_ray(ray), &mut hit, |ray, at| self.triangles[at].intersect(ray));
+        self.tree
+            .ray_traverse(obvhs_ray(ray), &mut hit, |ray, at| self.triangles[at].intersect(ray));
         if hit.primitive_id == u32::MAX { f32::INFINITY } else { hit.t }
     }
 
