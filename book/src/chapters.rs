@@ -4,6 +4,7 @@ use blinn_phong::command::LitScenes;
 use common::chapter::Entry;
 use object_order::command::ObjectOrder;
 use ray_casting::command::RayCasting;
+use shadows::command::Shadows;
 use triangles::command::Triangles;
 use whitted::command::Whitted;
 
@@ -13,6 +14,7 @@ pub const CHAPTERS: &[Entry] = &[
     Entry::of::<Triangles>(),
     Entry::of::<ObjectOrder>(),
     Entry::of::<LitScenes>(),
+    Entry::of::<Shadows>(),
     Entry::of::<Whitted>(),
 ];
 

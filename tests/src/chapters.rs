@@ -6,11 +6,12 @@ use common::chapter::Entry;
 use serde_json::Value;
 
 /// Every chapter, in the book's order.
-pub const CHAPTERS: [Entry; 5] = [
+pub const CHAPTERS: [Entry; 6] = [
     Entry::of::<ray_casting::command::RayCasting>(),
     Entry::of::<triangles::command::Triangles>(),
     Entry::of::<object_order::command::ObjectOrder>(),
     Entry::of::<blinn_phong::command::LitScenes>(),
+    Entry::of::<shadows::command::Shadows>(),
     Entry::of::<whitted::command::Whitted>(),
 ];
 

@@ -85,6 +85,15 @@ const LIT: [Row; 12] = [
     row("--scene negative-mtl.obj", 1, &["negative.mtl", "2"]),
 ];
 
+/// Wrong where there are shadows.
+const SHADED: [Row; 5] = [
+    row("--offset epsilon", 2, &["--offset", "bound"]),
+    row("--sun 0,0,0", 2, &["no light", "direction", "not all of them 0"]),
+    row("--lamp 1,2", 2, &["--lamp", "three finite numbers"]),
+    row("--lamp 0,1e400,0", 2, &["--lamp"]),
+    row("--scene small --eye 1,1,1 --look-at 1,1,1", 2, &["no picture", "two different points"]),
+];
+
 /// Wrong where rays are followed from mirror to mirror.
 const MIRRORS: [Row; 9] = [
     row("--depth -1", 2, &["--depth"]),
@@ -192,6 +201,9 @@ fn lamps_and_materials_that_can_t_be_are_refused() {
     files(folder.path());
     for row in &LIT {
         refuse("blinn-phong", row, folder.path());
+    }
+    for row in &SHADED {
+        refuse("shadows", row, folder.path());
     }
 }
 

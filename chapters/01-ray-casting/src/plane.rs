@@ -77,6 +77,7 @@ impl Shape for Plane {
 
 #[cfg(test)]
 mod tests {
+    use common::sampler::Stream;
     use glam::{Vec2, Vec3};
 
     use super::Plane;
@@ -112,5 +113,25 @@ mod tests {
     fn a_plane_needs_a_normal_and_a_place() {
         assert_eq!(Plane::new(Vec3::ZERO, Vec3::ZERO), None);
         assert_eq!(Plane::new(Vec3::NAN, Vec3::Y), None);
+    }
+
+    #[test]
+    fn the_error_covers_the_point() {
+        for trial in 0..200_000 {
+            let mut stream = Stream::of_trial(27, trial);
+            let mut decade = |low, high| common::math::pow(10.0, stream.between(low, high));
+            let (near, far) = (decade(-4.0, 6.0), decade(-6.0, 8.0));
+            let mut vector = || {
+                let mut component = || stream.between(-1.0, 1.0);
+                Vec3::new(component(), component(), component())
+            };
+            let Some(plane) = Plane::new(near * vector(), vector()) else { continue };
+            let ray = Ray { origin: far * vector(), direction: vector() };
+            let Some(hit) = plane.hit(&ray, f32::INFINITY) else { continue };
+            let normal = plane.normal.as_dvec3();
+            let height = (hit.point.as_dvec3() - plane.point.as_dvec3()).dot(normal).abs();
+            let bound = normal.abs().dot(hit.error.as_dvec3());
+            assert!(height <= bound, "{trial}: {height} {bound}");
+        }
     }
 }

@@ -66,7 +66,7 @@ impl Quad {
 
 /// How far the tip of `edge` is from a plane through its other end, a little rounded up.
 fn height(edge: Vec3, normal: Vec3) -> f32 {
-    (1.000_001 * edge.as_dvec3().dot(normal.as_dvec3()).abs()) as f32
+    (1.000_01 * edge.as_dvec3().dot(normal.as_dvec3()).abs()) as f32
 }
 
 /// The vector along `across` whose dot product with `edge` is 1.
@@ -138,5 +138,31 @@ mod tests {
         assert_eq!(quad([Vec3::X, Vec3::ZERO]), None);
         assert_eq!(quad([Vec3::X, Vec3::NAN]), None);
         assert!(quad([Vec3::X * 1e-25, Vec3::Y * 1e-30]).is_some());
+    }
+
+    /// The plane that is asked is the one with the rounded normal, and thin quads are the ones whose
+    /// edges are not in it.
+    #[test]
+    fn the_error_covers_the_point() {
+        for trial in 0..200_000 {
+            let mut stream = Stream::of_trial(28, trial);
+            let mut decade = |low, high| common::math::pow(10.0, stream.between(low, high));
+            let (near, size, thin) = (decade(-4.0, 6.0), decade(-4.0, 4.0), decade(-3.0, 0.0));
+            let mut vector = || {
+                let mut component = || stream.between(-1.0, 1.0);
+                Vec3::new(component(), component(), component())
+            };
+            let (corner, edge) = (near * vector(), size * vector());
+            let second = edge + thin * size * vector();
+            let Some(quad) = Quad::new(corner, [edge, second]) else { continue };
+            let target = corner + 0.3 * edge + 0.5 * second;
+            let origin = target + size * vector();
+            let ray = Ray { origin, direction: target - origin };
+            let Some(hit) = quad.hit(&ray, f32::INFINITY) else { continue };
+            let normal = hit.geometric.as_dvec3();
+            let height = (hit.point.as_dvec3() - corner.as_dvec3()).dot(normal).abs();
+            let bound = normal.abs().dot(hit.error.as_dvec3());
+            assert!(height <= bound, "{trial}: {height} {bound}");
+        }
     }
 }

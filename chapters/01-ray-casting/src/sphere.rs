@@ -219,4 +219,55 @@ mod tests {
         let around = sphere.center + sphere.radius * hit.normal;
         assert!((around.as_dvec3() - point).length() > 1e-3, "the other formula");
     }
+
+    /// The height of a hit's point over the sphere, exact to `f64`, and the bound on it.
+    fn height_and_bound(sphere: &Sphere, ray: &Ray) -> Option<(f64, f64)> {
+        let hit = sphere.hit(ray, f32::INFINITY)?;
+        let from_center = (hit.point.as_dvec3() - sphere.center.as_dvec3()).length();
+        let bound = hit.geometric.abs().as_dvec3().dot(hit.error.as_dvec3());
+        Some(((from_center - f64::from(sphere.radius)).abs(), bound))
+    }
+
+    #[test]
+    fn the_error_covers_the_point_whichever_way_it_was_made() {
+        let mut hits = 0;
+        for trial in 0..200_000 {
+            let mut stream = Stream::of_trial(24, trial);
+            let mut decade = |low, high| common::math::pow(10.0, stream.between(low, high));
+            let (radius, away, from) = (decade(-4.0, 7.0), decade(-4.0, 6.0), decade(-8.0, 8.0));
+            let center = away * in_cube(&mut stream, 1.0);
+            let origin = from * in_cube(&mut stream, 1.0);
+            let direction = center + radius * in_cube(&mut stream, 0.6) - origin;
+            let found = height_and_bound(&Sphere { center, radius }, &Ray { origin, direction });
+            let Some((height, bound)) = found else { continue };
+            assert!(height <= bound, "{trial}: {height} {bound}");
+            hits += 1;
+        }
+        assert!(hits > 100_000);
+    }
+
+    #[test]
+    fn the_error_is_a_few_roundings_of_what_goes_in() {
+        for trial in 0..100_000 {
+            let mut stream = Stream::of_trial(25, trial);
+            let ray =
+                Ray { origin: in_cube(&mut stream, 9.0), direction: in_cube(&mut stream, 2.0) };
+            let Some((_, bound)) = height_and_bound(&SPHERE, &ray) else { continue };
+            let size = f64::from(SPHERE.center.length() + SPHERE.radius);
+            assert!(bound <= 10.0 * f64::from(f32::EPSILON) * size, "{trial}: {bound}");
+        }
+    }
+
+    /// Hard case SH-03: what starts inside can't miss, however flat it runs along the surface.
+    #[test]
+    fn from_inside_nothing_is_missed() {
+        for trial in 0..100_000 {
+            let mut stream = Stream::of_trial(26, trial);
+            let normal = in_cube(&mut stream, 1.0).normalize_or(Vec3::X);
+            let flat = normal.any_orthonormal_vector() - stream.between(0.0, 1e-3) * normal;
+            let origin = SPHERE.center + 0.999_999 * SPHERE.radius * normal;
+            let crossing = SPHERE.crossing(&Ray { origin, direction: flat });
+            assert!(crossing.is_some_and(|it| it.enter <= 0.0 && 0.0 < it.leave), "{trial}");
+        }
+    }
 }

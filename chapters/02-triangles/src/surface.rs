@@ -85,9 +85,11 @@ pub fn shading_normal(mesh: &Mesh, index: usize, barycentric: Vec3, geometric: V
 
 #[cfg(test)]
 mod tests {
+    use common::sampler::Stream;
     use glam::Vec3;
+    use ray_casting::rounding::Placed;
 
-    use super::{between, geometric_normal, smooth_normal};
+    use super::{area_vector, between, geometric_normal, place, smooth_normal};
 
     #[test]
     fn the_normal_of_a_lopsided_triangle() {
@@ -112,5 +114,28 @@ mod tests {
     fn weights_belong_to_their_corners() {
         let corners = [Vec3::X, 10.0 * Vec3::Y, 100.0 * Vec3::Z];
         assert_eq!(between(corners, Vec3::new(0.5, 0.25, 0.25)), Vec3::new(0.5, 2.5, 25.0));
+    }
+
+    /// The distance of the point from the triangle's plane, to `f64`, and from where it is asked
+    /// again: hard cases SH-01 and SH-06 of chapter 5 ask.
+    #[test]
+    fn the_error_covers_the_point() {
+        for trial in 0..200_000 {
+            let mut stream = Stream::of_trial(32, trial);
+            let mut decade = |low, high| common::math::pow(10.0, stream.between(low, high));
+            let (away, size) = (decade(-4.0, 6.0), decade(-4.0, 4.0));
+            let mut vector = || {
+                let mut component = || stream.between(-1.0, 1.0);
+                Vec3::new(component(), component(), component())
+            };
+            let center = away * vector();
+            let corners = [(); 3].map(|()| center + size * vector());
+            let weights = vector().abs();
+            let weights = weights / weights.element_sum();
+            let Some(normal) = area_vector(&corners).try_normalize() else { continue };
+            let Placed { point, error } = place(corners, weights);
+            let height = (point.as_dvec3() - corners[0].as_dvec3()).dot(normal).abs();
+            assert!(height <= normal.abs().dot(error.as_dvec3()), "{trial}: {height} {error}");
+        }
     }
 }

@@ -2,11 +2,16 @@
 //!
 //! They are kept to be looked at, and as the negative controls of the hard cases.
 
+use blinn_phong::light::Light;
 use common::tally::Tally;
 use glam::Vec3;
 use ray_casting::direction::unit;
 use ray_casting::ray::Ray;
 use ray_casting::shape::{Hit, Shape, nearest};
+
+use crate::occluder::Occluder;
+use crate::offset::Leave;
+use crate::visibility::free;
 
 // ANCHOR: epsilon
 /// One ten-thousandth, of whatever unit the scene happens to be in.
@@ -58,6 +63,24 @@ pub fn integer(hit: &Hit, direction: Vec3) -> Vec3 {
 /// The surface's own normal, on the side of `direction`.
 fn side(hit: &Hit, direction: Vec3) -> Vec3 {
     if hit.geometric.dot(direction) >= 0.0 { hit.geometric } else { -hit.geometric }
+}
+
+/// Whether the lamp reaches the surface by a ray that starts where `leave` says.
+pub fn reaches<T: Tally>(
+    scene: &(impl Occluder + ?Sized),
+    light: &Light,
+    hit: &Hit,
+    leave: Leave,
+    tally: &mut T,
+) -> bool {
+    let (origin, direction, t_max) = match *light {
+        Light::Point { position, .. } => {
+            let origin = leave(hit, position - hit.point);
+            (origin, position - origin, 1.0)
+        }
+        Light::Directional { toward, .. } => (leave(hit, toward), toward, f32::INFINITY),
+    };
+    free(scene, &Ray { origin, direction }, t_max, tally)
 }
 
 // ANCHOR: report

@@ -12,6 +12,8 @@ use crate::spawn::{spawn, spawn_far};
 
 /// Rays that ask whether something is in the way.
 pub const SHADOW_RAYS: Event = Event::new(5, 0, "shadow_rays");
+/// Those of them that found something.
+pub const BLOCKED_RAYS: Event = Event::new(5, 1, "blocked_rays");
 
 // ANCHOR: end
 /// One end of a line of sight.
@@ -35,8 +37,20 @@ pub fn visible<T: Tally>(
     other: End,
     tally: &mut T,
 ) -> bool {
+    free(scene, &between(one, other), 1.0, tally)
+}
+
+/// Whether nothing of `scene` is on the ray before `t_max`. Every shadow ray is counted here.
+pub(crate) fn free<T: Tally>(
+    scene: &(impl Occluder + ?Sized),
+    ray: &Ray,
+    t_max: f32,
+    tally: &mut T,
+) -> bool {
+    let blocked = scene.blocks(ray, t_max, tally);
     tally.count(SHADOW_RAYS, 1);
-    !scene.blocks(&between(one, other), 1.0, tally)
+    tally.count(BLOCKED_RAYS, u64::from(blocked));
+    !blocked
 }
 // ANCHOR_END: visible
 
@@ -47,8 +61,7 @@ pub fn open<T: Tally>(
     direction: Vec3,
     tally: &mut T,
 ) -> bool {
-    tally.count(SHADOW_RAYS, 1);
-    !scene.blocks(&Ray { origin: spawn(hit, direction), direction }, f32::INFINITY, tally)
+    free(scene, &Ray { origin: spawn(hit, direction), direction }, f32::INFINITY, tally)
 }
 
 // ANCHOR: between
@@ -95,6 +108,84 @@ impl End<'_> {
         match self {
             Self::On(hit) => hit.point,
             Self::Free(point) => *point,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use common::tally::{Counts, Off};
+    use glam::Vec3;
+    use ray_casting::quad::Quad;
+    use ray_casting::ray::Ray;
+    use ray_casting::shape::{Hit, SHAPE_TESTS, Shape};
+    use ray_casting::sphere::Sphere;
+
+    use super::{BLOCKED_RAYS, End, SHADOW_RAYS, between, open, visible};
+
+    /// A floor at y = -1, and a ball of radius 1 at (0, 3, -2).
+    fn scene() -> [Box<dyn Shape>; 2] {
+        let edges = [Vec3::X * 20.0, Vec3::NEG_Z * 16.0];
+        let floor = Quad::new(Vec3::new(-10.0, -1.0, 8.0), edges).expect("an area");
+        [Box::new(floor), Box::new(Sphere { center: Vec3::new(0.0, 3.0, -2.0), radius: 1.0 })]
+    }
+
+    fn floor_at(x: f32, z: f32) -> Hit {
+        let ray = Ray { origin: Vec3::new(x, 1.0, z), direction: Vec3::NEG_Y };
+        scene()[0].hit(&ray, f32::INFINITY).expect("it is on the floor")
+    }
+
+    #[test]
+    fn a_ball_hides_the_lamp_behind_it_and_no_other() {
+        let sees = |x, lamp: [f32; 3]| {
+            let (hit, lamp) = (floor_at(x, -2.0), End::Free(lamp.into()));
+            visible(&scene()[..], End::On(&hit), lamp, &mut Off)
+        };
+        assert!(!sees(0.0, [0.0, 9.0, -2.0]), "the ball is in between");
+        assert!(sees(3.0, [3.0, 9.0, -2.0]), "beside");
+        assert!(sees(0.0, [0.0, 1.5, -2.0]), "the ball is behind the lamp");
+        assert!(sees(0.0, [0.0, -3.0, -2.0]), "below, where the ray starts below");
+    }
+
+    #[test]
+    fn a_lamp_far_away_has_no_end() {
+        let hit = floor_at(0.0, -2.0);
+        assert!(!open(&scene()[..], &hit, Vec3::Y, &mut Off));
+        assert!(open(&scene()[..], &hit, Vec3::new(0.9, 0.3, 0.0), &mut Off));
+    }
+
+    #[test]
+    fn every_ray_is_counted_and_the_first_hit_ends_it() {
+        let mut counts = Counts::default();
+        let hit = floor_at(0.0, -2.0);
+        for y in [9.0, 1.5] {
+            visible(&scene()[..], End::On(&hit), End::Free(Vec3::new(0.0, y, -2.0)), &mut counts);
+        }
+        assert_eq!((counts.of(SHADOW_RAYS), counts.of(BLOCKED_RAYS)), (2, 1));
+        let mut reversed = scene();
+        reversed.reverse();
+        let mut counts = Counts::default();
+        visible(&reversed[..], End::On(&hit), End::Free(Vec3::new(0.0, 9.0, -2.0)), &mut counts);
+        assert_eq!(counts.of(SHAPE_TESTS), 1, "the ball comes first, and the floor is not asked");
+    }
+
+    #[test]
+    fn both_ends_ask_about_the_same_ray() {
+        let (one, other) = (floor_at(2.5, -1.0), floor_at(-3.0, 4.0));
+        let free = End::Free(Vec3::new(0.3, 7.0, 1.0));
+        for (one, other) in [(End::On(&one), End::On(&other)), (End::On(&one), free)] {
+            assert_eq!(between(one, other), between(other, one));
+        }
+        let y = between(free, End::On(&one)).origin.y;
+        assert!(-1.0 < y && y < -0.999_999, "it starts on the floor, a little above: {y}");
+    }
+
+    #[test]
+    fn ends_in_one_place_and_ends_that_are_no_numbers_have_an_answer() {
+        let hit = floor_at(1.0, 1.0);
+        for point in [hit.point, Vec3::NAN, Vec3::INFINITY, Vec3::splat(f32::MAX)] {
+            let _answer = visible(&scene()[..], End::On(&hit), End::Free(point), &mut Off);
+            assert!(visible(&scene()[..], End::Free(point), End::Free(point), &mut Off));
         }
     }
 }
