@@ -61,7 +61,7 @@ impl Stage {
     }
 
     fn of(scene: MeshScene, aim: &Aim) -> Result<Self, Failure> {
-        let MeshScene { mesh, mut view, warnings, calls } = scene;
+        let MeshScene { mesh, mut view, warnings, calls, .. } = scene;
         aim.apply(&mut view);
         // Half of a film two pixels high is one pixel: see `comfortable`.
         let camera = Camera::new(&view, 2, 2);
