@@ -23,6 +23,7 @@ pub const CASES: &[Case] = &[
     stack::ROUNDING,
     waiting::WAITING,
     origin::OWN_MIRROR,
+    stack::DARK,
 ];
 
 /// This chapter, as the ledger names it.

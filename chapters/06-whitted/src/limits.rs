@@ -75,9 +75,10 @@ impl Limits {
         tally: &mut T,
     ) -> Option<Pending<R>> {
         let throughput = from.throughput * branch.weight.as_dvec3();
-        // Neither 0 nor NaN is above 0.
+        // Products below the smallest normal number round to themselves and never get to 0. NaN is
+        // above nothing.
         let above = |limit: f64| throughput.cmpgt(DVec3::splat(limit)).any();
-        if !above(0.0) {
+        if !above(f64::MIN_POSITIVE) {
             return None;
         }
         if from.depth >= self.depth {
@@ -151,6 +152,17 @@ mod tests {
         }
         let counted = [FOLLOWED, DEEPEST, STOPPED_BY_DEPTH, STOPPED_BY_CUTOFF];
         assert_eq!(counted.map(|event| counts.of(event)), [3, 4, 1, 1]);
+    }
+
+    #[test]
+    fn what_is_too_small_to_shrink_is_nothing() {
+        let limits = Limits { depth: 9, cutoff: 0.0 };
+        let least = f64::from_bits(1);
+        assert_eq!(least * 0.75, least, "the smallest f64 there is");
+        let at = |throughput| Pending { ray: 'o', throughput: DVec3::splat(throughput), depth: 0 };
+        let admit = |throughput| limits.admit(&at(throughput), [branch('a', 0.75), None], &mut Off);
+        assert_eq!(rays(admit(least)), "");
+        assert_eq!(rays(admit(1e-300)), "a");
     }
 
     #[test]

@@ -50,6 +50,15 @@ pub fn trace_in_single<S: Scatter, T: Tally>(
     sum
 }
 
+/// How many mirrors it takes until an `f32` throughput is 0; None if it isn't after `most`.
+pub fn mirrors_until_dark(mirror: f32, most: u32) -> Option<u32> {
+    let mut throughput = 1.0;
+    (1..=most).find(|_| {
+        throughput *= mirror;
+        throughput == 0.0
+    })
+}
+
 /// How many branches wait at most when those of a surface are followed as they come, whichever
 /// counts more.
 pub fn most_waiting_in_order<S: Scatter>(limits: &Limits, scene: &S, ray: S::Ray) -> u64 {

@@ -98,7 +98,7 @@ impl Stage {
         aim: impl FnOnce(&mut View),
     ) -> Result<Self, Failure> {
         let scenes::Stage { scene, camera, calls, warnings, .. } = stage.seen_from(aim)?;
-        let calls = called(calls, mirrors);
+        let calls = called(shadows::calls::of_scene(&scene, &calls), mirrors);
         let scene = scene.map(|index, surface| Mirrored { surface, mirror: mirrors[index] });
         Ok(Self { scene, camera, calls, warnings })
     }

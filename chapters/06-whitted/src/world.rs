@@ -2,7 +2,7 @@
 
 use blinn_phong::material::BlinnPhong;
 use blinn_phong::models::Blinn;
-use blinn_phong::picture::{LIGHT_SAMPLES, SHADING_POINTS, TEXTURE_LOOKUPS};
+use blinn_phong::picture::{SHADING_POINTS, TEXTURE_LOOKUPS};
 use blinn_phong::scene::Scene;
 use blinn_phong::shading::{returned, seen_normal};
 use common::film::Color;
@@ -83,7 +83,6 @@ pub fn local<const DETAILS: bool, const SHADOWS: bool, T: Tally>(
     tally: &mut T,
 ) -> Color {
     tally.count(SHADING_POINTS, 1);
-    tally.count(LIGHT_SAMPLES, scene.lights.len() as u64);
     tally.count(TEXTURE_LOOKUPS, u64::from(DETAILS && surface.is_textured()));
     let surface = surface.at::<DETAILS>(hit.uv);
     let normal = seen_normal(hit, toward_eye);

@@ -30,6 +30,11 @@ impl Inside {
         others.fold(Self::default(), |inside, &other| inside.with(other))
     }
 
+    /// Whether it is in none, and so in air.
+    pub fn is_air(&self) -> bool {
+        self.count == 0
+    }
+
     /// The bodies.
     pub fn bodies(&self) -> &[u32] {
         &self.bodies[..self.count as usize]

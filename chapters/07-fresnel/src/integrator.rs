@@ -60,6 +60,7 @@ impl<L, const MIRRORS: bool, const GLASS: bool> Integrator<'_, L, MIRRORS, GLASS
     ///
     /// What is followed is radiance divided by n². Refraction changes radiance by just that
     /// square, so nothing has to be scaled here: the parts add up to 1.
+    #[inline]
     fn split<T: Tally>(
         &self,
         path: &Path,
@@ -112,16 +113,6 @@ impl<L, const MIRRORS: bool, const GLASS: bool> Integrator<'_, L, MIRRORS, GLASS
         Some(Branch { ray: path, weight: color, event: MIRROR_RAYS })
     }
 
-    /// What the path meets first: where no glass is simulated, a surface.
-    fn meet<T: Tally>(&self, path: &Path, tally: &mut T) -> Option<Met<'_>> {
-        if GLASS {
-            return next(self.scene, &path.ray, path.inside, tally);
-        }
-        let found = self.scene.nearest(&path.ray, tally)?;
-        let surface = &found.object.material;
-        Some(Met::Surface { hit: found.hit, surface, inside: path.inside })
-    }
-
     fn index(&self, inside: Inside) -> Index {
         if GLASS { index(self.scene, inside) } else { Index::AIR }
     }
@@ -132,7 +123,8 @@ impl<L, const MIRRORS: bool, const GLASS: bool> Integrator<'_, L, MIRRORS, GLASS
     /// Radiance / n² is what stays on the way, so lamps' light counts (n_eye / n)² times. Light
     /// from everywhere is n² times as strong in the medium as in air, and that cancels.
     fn seen_from_eye(&self, sent: Sent, inside: Inside) -> Color {
-        if !GLASS {
+        // In air, seen from air, nothing is scaled.
+        if !GLASS || (inside.is_air() && self.around_eye.is_air()) {
             return sent.ambient + sent.lamps;
         }
         let [eye, here] = [self.around_eye, inside].map(|inside| self.index(inside).number());
@@ -159,7 +151,14 @@ impl<
     // ANCHOR: scatter
     #[inline]
     fn scatter<T: Tally>(&self, path: &Path, tally: &mut T) -> Scattered<Path> {
-        match self.meet(path, tally) {
+        if !GLASS {
+            let Some(found) = self.scene.nearest(&path.ray, tally) else {
+                return Scattered::only(self.background());
+            };
+            let surface = &found.object.material;
+            return self.off_surface(path, &found.hit, path.inside, surface, tally);
+        }
+        match next(self.scene, &path.ray, path.inside, tally) {
             None => Scattered::only(self.background()),
             Some(Met::Interface { hit, interface, sides }) => {
                 let hit = detailed::<DETAILS, T>(&hit, tally);
@@ -167,15 +166,7 @@ impl<
                 Scattered { light: Color::ZERO, branches }
             }
             Some(Met::Surface { hit, surface, inside }) => {
-                let hit = detailed::<DETAILS, T>(&hit, tally);
-                let met = Place { path, hit: &hit, inside };
-                match surface {
-                    Surface::Opaque(material) => self.off_opaque(&met, material, tally),
-                    Surface::Polished(material) => self.off_polished(&met, material, tally),
-                    Surface::Metal(metal) => self.off_metal(&met, metal),
-                    // Only its interfaces are met, and only where glass is simulated.
-                    Surface::Glass(_) => Scattered::only(Color::ZERO),
-                }
+                self.off_surface(path, &hit, inside, surface, tally)
             }
         }
     }
@@ -205,7 +196,29 @@ impl<
     const GLASS: bool,
 > Integrator<'_, Lit<SHADING, DETAILS, SHADOWS>, MIRRORS, GLASS>
 {
+    /// What comes back from a surface that ends the path, or mirrors it.
+    #[inline]
+    fn off_surface<T: Tally>(
+        &self,
+        path: &Path,
+        hit: &Hit,
+        inside: Inside,
+        surface: &Surface,
+        tally: &mut T,
+    ) -> Scattered<Path> {
+        let hit = detailed::<DETAILS, T>(hit, tally);
+        let met = Place { path, hit: &hit, inside };
+        match surface {
+            Surface::Opaque(material) => self.off_opaque(&met, material, tally),
+            Surface::Polished(material) => self.off_polished(&met, material, tally),
+            Surface::Metal(metal) => self.off_metal(&met, metal),
+            // Only its interfaces are met, and only where glass is simulated.
+            Surface::Glass(_) => Scattered::only(Color::ZERO),
+        }
+    }
+
     /// What an opaque surface sends of lamps, and its mirror's ray.
+    #[inline]
     fn off_opaque<T: Tally>(
         &self,
         met: &Place,
@@ -252,6 +265,9 @@ impl<
 
     /// The radiance behind everything, which is in air.
     fn background(&self) -> Color {
+        if !GLASS || self.around_eye.is_air() {
+            return self.scene.background;
+        }
         let eye = self.index(self.around_eye).number();
         (eye * eye) as f32 * self.scene.background
     }

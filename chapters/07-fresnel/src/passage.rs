@@ -58,6 +58,10 @@ pub fn next<'a, T: Tally>(
     let mut after = 0.0;
     for _ in 0..MOST_PASSED {
         let found = beyond(scene, ray, after, tally)?;
+        if found.object.material.glass().is_none() {
+            let surface = &found.object.material;
+            return Some(Met::Surface { hit: found.hit, surface, inside });
+        }
         let event = Event::at(scene, ray, after, found, tally);
         if let Some(surface) = event.opaque {
             return Some(Met::Surface { hit: event.hit, surface, inside });

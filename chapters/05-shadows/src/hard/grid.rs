@@ -157,7 +157,8 @@ mod tests {
         for trial in 0..300_000 {
             let mut stream = Stream::of_trial(511, trial);
             let size = draw::decade(&mut stream, -4.0, 4.0);
-            let center = draw::in_cube(&mut stream, draw::decade(&mut stream.clone(), -4.0, 6.0));
+            let away = draw::decade(&mut stream, -4.0, 6.0);
+            let center = draw::in_cube(&mut stream, away);
             let [right, up, aside] = [(); 3].map(|()| size * draw::in_cube(&mut stream, 1.0));
             let up = if trial.is_multiple_of(3) { right + 1e-3 * up } else { up };
             let flat: Option<Box<dyn Shape>> = match trial.is_multiple_of(2) {

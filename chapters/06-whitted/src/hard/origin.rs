@@ -46,7 +46,7 @@ fn meets_itself(trial: u64, formula: fn(&Ray, &Hit) -> Option<Ray>) -> bool {
     // The few that miss a ball's rim prove nothing.
     let Some(hit) = shape.hit(&ray, f32::INFINITY) else { return false };
     let next = formula(&ray, &hit);
-    !next.is_some_and(|next| shape.hit(&next, f32::INFINITY).is_none())
+    next.is_none_or(|next| shape.hit(&next, f32::INFINITY).is_some())
 }
 
 fn depends_on_scale(trial: u64, formula: fn(&Ray, &Hit) -> Option<Ray>) -> bool {

@@ -1,4 +1,4 @@
-//! WH-08 and WH-13: very many mirrors in a row.
+//! WH-08, WH-13 and WH-16: very many mirrors in a row.
 
 use std::hint::black_box;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -6,11 +6,11 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use common::hard::Case;
 use common::math;
 use common::sampler::Stream;
-use common::tally::{Off, Tally};
+use common::tally::{Counts, Off, Tally};
 
 use super::CHAPTER;
 use crate::facing::{Facing, series};
-use crate::limits::Limits;
+use crate::limits::{Limits, STOPPED_BY_DEPTH};
 use crate::naive;
 use crate::scatter::{Scatter, Scattered};
 
@@ -52,6 +52,35 @@ pub(super) const ROUNDING: Case = Case {
         is_wrong(&mirrors, depth, Limits { depth, cutoff: 0.0 }.trace(&mirrors, 0, &mut Off).x)
     },
 };
+
+/// WH-16: a throughput that stops shrinking. Below the smallest normal number the neighbours are as
+/// far apart as the number is large, and 0.9 of the last one rounds back to it.
+pub(super) const DARK: Case = Case {
+    id: "WH-16",
+    chapter: CHAPTER,
+    input: "mirrors that return 0.3 to 0.97, until nothing is left",
+    most: 1000,
+    naive_fails: |trial| {
+        let mirrors = dim(trial);
+        naive::mirrors_until_dark(mirrors.mirror, until_dark(&mirrors)).is_none()
+    },
+    robust_fails: |trial| {
+        let (mirrors, mut counts) = (dim(trial), Counts::default());
+        let limits = Limits { depth: until_dark(&mirrors), cutoff: 0.0 };
+        limits.trace(&mirrors, 0, &mut counts);
+        counts.of(STOPPED_BY_DEPTH) > 0
+    },
+};
+
+/// A depth at which less than 2⁻¹⁰²², the smallest normal `f64`, is left: ρⁿ is at most e to the
+/// power -n (1 - ρ), and ln 2¹⁰²² is 708.4.
+fn until_dark(mirrors: &Facing) -> u32 {
+    (709.0 / (1.0 - f64::from(mirrors.mirror))).ceil() as u32
+}
+
+fn dim(trial: u64) -> Facing {
+    Facing { light: 1.0, mirror: Stream::of_trial(616, trial).between(0.3, 0.97) }
+}
 
 /// Whether a sum is not the geometric series, rounded once to `f32`. The loop's 53 digits lose at
 /// most 3 · 10⁶ roundings of 2⁻⁵³, a part in 3 · 10⁹; the last rounding may fall on either side.

@@ -4,7 +4,7 @@ use std::hint::black_box;
 use std::rc::Rc;
 
 use blinn_phong::scenes::brute_force;
-use common::cost::{Experiment, Method, Plot, no_note};
+use common::cost::{Experiment, Method, Plot, Table, no_note};
 use common::sampler::Sampler;
 use common::stats::error::rmse;
 use common::tally::{Counts, Off, Tally};
@@ -82,7 +82,7 @@ impl Sight {
         let (channels, tally) = self.draw::<Counts>(how);
         let branches = tally.of(REFLECTED) + tally.of(REFRACTED);
         Method {
-            label: format!("{label}: {branches} rays"),
+            label,
             series,
             size: branches as f64,
             work: 1,
@@ -119,7 +119,7 @@ pub(super) fn branching() -> Option<Experiment<'static>> {
         error_metric: "RMSE against both ways to a cut-off of 10^-6",
         plot: Plot::ErrorOverTime("error of the picture (RMSE)"),
         methods: depths.into_iter().chain(cutoffs).chain(chances).collect(),
-        note: no_note,
+        note: first_below,
     })
 }
 
@@ -137,4 +137,15 @@ pub(super) fn formulas() -> Option<Experiment<'static>> {
         methods: vec![method("Fresnel", Formula::Exact), method("Schlick", Formula::Schlick)],
         note: no_note,
     })
+}
+
+/// The first of each way with an error below a hundredth: how many rays leave interfaces for it.
+fn first_below(table: &Table) -> String {
+    let first = |series| {
+        let mut rows = table.rows.iter();
+        let row = rows.find(|row| row.series == series && row.error < 0.01);
+        row.map(|row| format!("{} follows {} rays", row.label, row.size))
+    };
+    let found: Vec<String> = [BOTH, CUTOFF, ONE].into_iter().filter_map(first).collect();
+    format!("The first of each way with an error below 0.01: {}.", found.join("; "))
 }

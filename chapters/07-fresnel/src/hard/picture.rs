@@ -10,8 +10,8 @@ const SIDE: u32 = 300;
 const GAP: u32 = 8;
 
 /// From left to right the cosine at which rays enter grows from 10⁻⁵ to 0.003; each row is another
-/// direction along the surface. Black is trapped, red left by more than 10⁻⁵ elsewhere, and white
-/// as it came. The textbook's formula on the left, ours on the right.
+/// direction along the surface. Black is trapped, red left by more than 10⁻⁵ elsewhere, and pale
+/// blue as it came. The textbook's formula on the left, ours on the right.
 pub(super) fn picture() -> Film {
     let normal = Vec3::new(0.36, 0.48, 0.8);
     let [right, up] = [DVec3::new(0.8, -0.6, 0.0), DVec3::new(0.48, 0.64, -0.6)];
@@ -29,7 +29,7 @@ pub(super) fn picture() -> Film {
         match through(Index::GLASS, direction, normal) {
             None => Color::ZERO,
             Some(outside) if away(direction, outside) => Color::new(0.8, 0.25, 0.1),
-            Some(_) => Color::ONE,
+            Some(_) => Color::new(0.55, 0.7, 0.85),
         }
     })
 }
