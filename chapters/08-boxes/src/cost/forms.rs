@@ -150,7 +150,7 @@ fn pairs() -> Pairs {
         let half = point(&mut of_box, 1.0).abs();
         // On the ray, or anywhere.
         let on_ray = origin + of_box.uniform() * ray.direction + half * point(&mut of_box, 0.9);
-        let middle = if number % 2 == 0 { on_ray } else { point(&mut of_box, 4.0) };
+        let middle = if number.is_multiple_of(2) { on_ray } else { point(&mut of_box, 4.0) };
         pairs.plain.push(PlainRay::from(&ray));
         pairs.ready.push(BoxRay::new(&ray, &scene));
         pairs.boxes.push(Aabb { min: middle - half, max: middle + half });

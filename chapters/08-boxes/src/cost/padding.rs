@@ -7,7 +7,7 @@ use common::cost::{Experiment, Method, Plot, no_note};
 
 use crate::aabb::Aabb;
 use crate::hard::aimed::{Aimed, Draw, anywhere, far_away, lattice, room, sliver};
-use crate::naive::{Form, PlainRay, ize, tavian_2022};
+use crate::naive::{PlainRay, ize, tavian_2022};
 use crate::slab::BoxRay;
 
 /// Rays of each kind.
@@ -39,7 +39,10 @@ pub(super) fn experiment() -> Experiment<'static> {
     }
 }
 
-fn form(label: &'static str, hits: &Arc<Vec<Aimed>>, meets: Form) -> Method<'static> {
+fn form<F>(label: &'static str, hits: &Arc<Vec<Aimed>>, meets: F) -> Method<'static>
+where
+    F: Fn(&PlainRay, &Aabb, f32) -> bool + Copy + 'static,
+{
     let lost = hits.iter().filter(|aimed| aimed.is_lost_by(meets)).count();
     let rays: Vec<(PlainRay, Aabb)> =
         sample(hits).map(|aimed| (PlainRay::from(&aimed.ray), aimed.bounds())).collect();
