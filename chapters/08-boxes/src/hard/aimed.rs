@@ -54,9 +54,6 @@ impl Aimed {
     }
 }
 
-/// A way to draw a ray and a triangle.
-pub(crate) type Draw = fn(u64) -> Aimed;
-
 /// A mesh's corners, triangle by triangle, and its box.
 struct Target {
     corners: Vec<[Vec3; 3]>,

@@ -7,7 +7,6 @@ use ray_casting::ray::Ray;
 use super::draw;
 use crate::aabb::Aabb;
 use crate::naive::{PlainRay, natural, smits};
-use crate::oracle::Verdict;
 use crate::slab::BoxRay;
 
 /// Rays in the planes of one box's faces: 3 axes, 2 faces, 2 signs of the zero, 2 axes to travel
@@ -90,17 +89,6 @@ pub(super) fn zero_robust(trial: u64) -> bool {
     let (signed, positive, bounds) = with_zeros(trial);
     let enter = |ray: &Ray| BoxRay::new(ray, &bounds).enter(&bounds, f32::INFINITY);
     enter(&signed) != enter(&positive) || draw::is_wrong(&signed, &bounds)
-}
-
-/// Whether a form is right about the ray with zeros number `trial`, where `f64` has an answer.
-pub(crate) fn is_right_about_zeros(trial: u64, meets: impl Fn(&Ray, &Aabb) -> bool) -> bool {
-    let (signed, _, bounds) = with_zeros(trial);
-    let met = meets(&signed, &bounds);
-    match draw::allowed(&signed, &bounds) {
-        Verdict::Met => met,
-        Verdict::Missed => !met,
-        Verdict::Close => true,
-    }
 }
 
 #[cfg(test)]
