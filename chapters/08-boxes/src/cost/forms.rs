@@ -83,7 +83,7 @@ fn methods(wrong: impl Fn(&dyn Fn(&Ray, &Aabb) -> bool) -> f64) -> Vec<Method<'s
         form("glam vectors", pairs, &wrong, glam_vectors),
         form("Kay and Kajiya 1986", pairs, &wrong, kay_kajiya),
         form("Smits 1998", pairs, &wrong, smits),
-        form("RTIOW, before 2024", pairs, &wrong, old_weekend),
+        form("RTIOW, old form", pairs, &wrong, old_weekend),
         form("Barnes 2015", pairs, &wrong, tavian_2015),
         form("Barnes 2022", pairs, &wrong, tavian_2022),
         form("folded", pairs, &wrong, folded),

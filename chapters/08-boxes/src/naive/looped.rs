@@ -49,7 +49,7 @@ pub fn smits(ray: &PlainRay, bounds: &Aabb, t_max: f32) -> bool {
 // ANCHOR_END: smits
 
 // ANCHOR: old_weekend
-/// "Ray Tracing: The Next Week" as it was for years. An interval that is one point counts as empty,
+/// "Ray Tracing: The Next Week", before it thickened its boxes. An interval that is one point counts as empty,
 /// so that a box without thickness is never met (hard case BX-04).
 pub fn old_weekend(ray: &PlainRay, bounds: &Aabb, t_max: f32) -> bool {
     let (mut enter, mut leave) = (0.0, t_max);
