@@ -40,8 +40,8 @@ pub const DIRECTIONS: [Vec3; 13] = [
 pub struct BspTree(PlaneTree<13>);
 
 // ANCHOR: fewest_cut
-/// Of the medians in all directions the one that leaves the fewest triangles on its fuller side, so
-/// that cuts few of them and has as many above as below. The first of equals.
+/// Of the medians in all directions the one whose fuller side has the fewest triangles: it cuts few
+/// of them, and has about as many above as below. The first of equals.
 fn fewest_cut(cell: &Cell<13>) -> Option<Plane> {
     if cell.members.len() <= FEW {
         return None;

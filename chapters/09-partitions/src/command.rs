@@ -193,3 +193,51 @@ fn drawn<T: Tally>(
     accelerator.statistics().count(&mut rendering.tally);
     rendering
 }
+
+#[cfg(test)]
+mod tests {
+    use common::chapter::Chapter;
+    use common::plan::{Plan, Simulate};
+    use common::render::Settings;
+    use common::tally::Counts;
+    use ray_casting::knobs::Aim;
+    use triangles::brute::TRIANGLE_TESTS;
+    use triangles::convert::Normals;
+
+    use super::{Knobs, Partitions, Split, ViewChoice};
+    use crate::choice::AccelChoice;
+
+    /// The hash of a small picture, and its triangle tests.
+    fn drawn(accel: AccelChoice, cells: Option<u32>, split: Split, view: ViewChoice) -> (u64, u64) {
+        let aim = Aim::default();
+        let knobs = Knobs { accel, cells, split, view, normals: Normals::Given, aim };
+        let stage = Partitions::build("bunny", &knobs).expect("it is built in");
+        let calls = Partitions::calls(&stage, &knobs);
+        let plan = Plan::new(&calls, Partitions::SKILLS, Simulate::Needed);
+        let settings = Settings { width: 48, height: 36, ..Settings::default() };
+        let rendering = Partitions::draw::<Counts>(&stage, &plan, &settings, &knobs);
+        assert_eq!(rendering.film.nonfinite, 0);
+        (rendering.film.hash(), rendering.tally.of(TRIANGLE_TESTS))
+    }
+
+    #[test]
+    fn every_structure_draws_the_same_bits_with_less_work() {
+        for view in [ViewChoice::Normals, ViewChoice::Depth] {
+            let (expected, all) = drawn(AccelChoice::Brute, None, Split::Sah, view);
+            for (accel, cells, split) in [
+                (AccelChoice::Grid, None, Split::Sah),
+                (AccelChoice::Grid, Some(1), Split::Sah),
+                (AccelChoice::Grid, Some(90), Split::Sah),
+                (AccelChoice::Octree, None, Split::Sah),
+                (AccelChoice::Kd, None, Split::Median),
+                (AccelChoice::Kd, None, Split::Sah),
+                (AccelChoice::Bsp, None, Split::Sah),
+            ] {
+                let (hash, tests) = drawn(accel, cells, split, view);
+                assert_eq!(hash, expected, "{accel:?} {cells:?} {split:?}");
+                assert!(tests < all, "{accel:?}: {tests}");
+                assert!(cells == Some(1) || tests < all / 50, "{accel:?}: {tests}");
+            }
+        }
+    }
+}

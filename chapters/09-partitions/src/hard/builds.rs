@@ -1,7 +1,10 @@
 //! Lists of triangles that are hard on a builder: each build ends, within bounds that are stated here.
 
 use common::sampler::Stream;
+use common::tally::{Counts, Off};
 use glam::Vec3;
+use ray_casting::ray::Ray;
+use triangles::brute::{Found, TRIANGLE_TESTS};
 
 use super::rays::ray;
 use super::scenes::{Corners, STRUCTURES, Scene, progression, soup, with_garbage};
@@ -30,7 +33,7 @@ fn holds(triangles: Vec<Corners>, rays: u64) {
     for trial in 0..rays {
         let mut stream = Stream::of_trial(930, trial);
         let Some(ray) = ray(&scene, trial % 10, &mut stream) else { continue };
-        let expected = scene.scan.nearest(&ray, f32::INFINITY, &mut common::tally::Off);
+        let expected = scene.scan.nearest(&ray, f32::INFINITY, &mut Off);
         for structure in 0..STRUCTURES {
             let answer = scene.answer(structure, &ray, f32::INFINITY);
             assert!(answer.is(expected), "structure {structure}: {ray:?}");
@@ -113,4 +116,31 @@ fn a_hundred_thousand_in_a_line_and_needles() {
 #[ignore = "takes a minute and 2 GB"]
 fn a_million_in_a_line() {
     holds(in_a_line(1_000_000), 3);
+}
+
+/// From whichever side a ray comes, it asks the few in front and not the many behind them.
+#[test]
+fn nearer_ones_come_first() {
+    for octant in 0..8 {
+        let sign = |axis: u32| if octant >> axis & 1 == 1 { -1.0 } else { 1.0 };
+        let direction = Vec3::new(sign(0), 0.9 * sign(1), 1.1 * sign(2));
+        let (across, up) = direction.any_orthonormal_pair();
+        let sheet = |number: i32| {
+            let middle = (number - 100) as f32 * direction;
+            [middle + 3.0 * across, middle - 2.0 * across + 3.0 * up, middle - across - 3.0 * up]
+        };
+        let scene = Scene::new((0..200).map(sheet).collect());
+        let ray = Ray { origin: -300.0 * direction, direction };
+        let check = |name: &str, nearest: &dyn Fn(&mut Counts) -> Option<Found>| {
+            let mut counts = Counts::default();
+            assert_eq!(nearest(&mut counts).map(|found| found.index), Some(0));
+            let tests = counts.of(TRIANGLE_TESTS);
+            assert!(tests <= 60, "{name} asks {tests} along {direction}");
+        };
+        check("grid", &|counts| scene.grid.nearest(&ray, f32::INFINITY, counts));
+        check("octree", &|counts| scene.octree.nearest(&ray, f32::INFINITY, counts));
+        check("median", &|counts| scene.median.nearest(&ray, f32::INFINITY, counts));
+        check("sah", &|counts| scene.sah.nearest(&ray, f32::INFINITY, counts));
+        check("bsp", &|counts| scene.bsp.nearest(&ray, f32::INFINITY, counts));
+    }
 }

@@ -98,3 +98,32 @@ pub(super) fn walk_robust(trial: u64) -> bool {
     }
     steps > 6 * HALF as usize + 3 || !cover(ends).iter().all(|cell| cells.contains(cell))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{EDGE, HALF, cover, ends, point, walk_naive};
+    use crate::naive::cells_until_last;
+
+    #[test]
+    fn the_cover_by_hand() {
+        // From the middle of one cell through a corner of four into the next but one.
+        let cells = cover([[8, 8, 8], [40, 40, 8]]);
+        assert_eq!(cells, [[10, 10, 10], [11, 11, 10], [12, 12, 10]]);
+        let cells = cover([[-8, 8, 8], [24, 20, 8]]);
+        assert_eq!(cells, [[9, 10, 10], [10, 10, 10], [10, 11, 10], [11, 11, 10]]);
+    }
+
+    /// The page says how the walk to the last cell fails.
+    #[test]
+    fn most_naive_failures_are_walks_without_an_end() {
+        let patience = 3 * (6 * HALF) as usize;
+        let endless = |trial: &u64| {
+            ends(*trial).is_some_and(|[start, end]| {
+                cells_until_last(point(start), point(end), EDGE as f32, patience).is_none()
+            })
+        };
+        let all = (0..100_000).filter(|trial| walk_naive(*trial)).count();
+        let without_end = (0..100_000).filter(endless).count();
+        assert!(without_end > all / 2 && without_end <= all, "{without_end} of {all}");
+    }
+}

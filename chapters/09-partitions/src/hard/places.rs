@@ -11,9 +11,10 @@ fn cell(trial: u64) -> Span {
     let mut stream = Stream::of_trial(907, trial);
     let sign = if stream.uniform() < 0.5 { -1.0 } else { 1.0 };
     match trial % 3 {
-        // Neighbours, or up to eight floats between; below 1 in 25 of a size that has no exponent.
+        // Neighbours, or up to seven floats between; one in 25 is so small that it has no exponent.
         0 => {
-            let bits = stream.bits() % 0x7f00_0000 >> (25 * u32::from(trial % 25 == 0));
+            let all = if trial.is_multiple_of(25) { 1 << 22 } else { 0x7f00_0000 };
+            let bits = stream.bits() % all;
             let [low, high] = [0, 1 + stream.bits() % 8].map(|step| f32::from_bits(bits + step));
             if sign > 0.0 { Span { low, high } } else { Span { low: -high, high: -low } }
         }
@@ -61,13 +62,13 @@ fn place(trial: u64) -> (Side, f32, f32) {
     (Side::new(low, high, count), coordinate, high)
 }
 
-/// Whether a cell isn't there, or the coordinate isn't in it, give or take the roundings of three
-/// products and a difference.
+/// Whether a cell isn't there, or the coordinate isn't in it, give or take four roundings: of two
+/// differences, a quotient and a product.
 fn is_elsewhere(side: &Side, high: f32, coordinate: f32, index: i32) -> bool {
     let exact = |part: f64| {
         f64::from(side.low) + (f64::from(high) - f64::from(side.low)) * part / f64::from(side.count)
     };
-    let slack = 4.0 * f64::from(f32::EPSILON) * (f64::from(high) - f64::from(side.low)).abs();
+    let slack = 2.0 * f64::from(f32::EPSILON) * (f64::from(high) - f64::from(side.low)).abs();
     let [begins, ends] = [index, index + 1].map(|border| exact(f64::from(border)));
     let coordinate = f64::from(coordinate);
     !(0..side.count).contains(&index) || coordinate < begins - slack || coordinate > ends + slack

@@ -78,7 +78,7 @@ pub(super) fn edge_robust(trial: u64) -> bool {
 /// good ones alone.
 static GARBAGE: LazyLock<Vec<(Scene, Scan)>> = LazyLock::new(|| {
     let scene = |count: u64| {
-        let spoil = if count % 2 == 0 { with_garbage } else { with_holes };
+        let spoil = if count.is_multiple_of(2) { with_garbage } else { with_holes };
         (Scene::new(spoil(soup(count))), Scan::build(soup(count)))
     };
     (1..24).map(scene).collect()

@@ -124,7 +124,7 @@ fn way(stream: &mut Stream) -> Vec<Passed> {
 }
 
 /// The least of all hits, and the first cell after which none can be less.
-pub(crate) fn least_of_all(cells: &Vec<Passed>) -> Nearest {
+pub(crate) fn least_of_all(cells: &[Passed]) -> Nearest {
     let all = |cells: &[Passed]| -> Vec<(f32, u32)> {
         let mut all: Vec<_> =
             cells.iter().flat_map(|it| &it.hits).map(|&(triangle, t)| (t, triangle)).collect();
