@@ -124,6 +124,13 @@ mod tests {
             let counted = nearest(&shapes, &AHEAD, &mut Counts::default()).expect("a hit");
             assert_eq!((counted.index, counted.hit), (found.index, found.hit));
             assert_eq!(found.object.hit(&AHEAD, f32::INFINITY), Some(found.hit));
+            for shape in &shapes {
+                let hit = |t_max| shape.hit(&AHEAD, t_max).is_some();
+                assert_eq!(
+                    [4.0, 50.0].map(|t_max| shape.is_hit(&AHEAD, t_max)),
+                    [4.0, 50.0].map(hit)
+                );
+            }
             shapes.rotate_left(1);
         }
     }

@@ -1,6 +1,7 @@
 //! Where a ray that leaves a surface has to start.
 
 use glam::Vec3;
+use ray_casting::rounding::gamma;
 use ray_casting::shape::Hit;
 
 // ANCHOR: spawn
@@ -24,7 +25,7 @@ fn reach(hit: &Hit) -> f32 {
 /// rounded: at most 32 roundings of the distance, and for a sphere as many of its radius, of which
 /// `hit.error` has seven. A plane needs four and a triangle six.
 pub(crate) fn spawn_far(hit: &Hit, direction: Vec3, distance: f32) -> Vec3 {
-    leave(hit, direction, 5.0 * reach(hit) + ray_casting::rounding::gamma(32) * distance)
+    leave(hit, direction, 5.0 * reach(hit) + gamma(32) * distance)
 }
 
 // ANCHOR: leave
@@ -35,22 +36,17 @@ fn leave(hit: &Hit, direction: Vec3, distance: f32) -> Vec3 {
     let outward = normal.dot(direction) >= 0.0;
     let offset = if outward { ENOUGH * distance } else { -ENOUGH * distance } * normal;
     let moved = hit.point + offset;
-    let away = |axis: usize| match offset[axis] {
-        _ if normal[axis].abs() < ASIDE => moved[axis],
-        // The sum was rounded, maybe backwards; one step further it is not.
-        step if step > 0.0 => moved[axis].next_up(),
-        step if step < 0.0 => moved[axis].next_down(),
-        _ => moved[axis],
-    };
-    Vec3::new(away(0), away(1), away(2))
+    // The sum was rounded, maybe backwards. A float or two further it is not.
+    let further = moved + (f32::EPSILON * moved.abs()).copysign(offset);
+    Vec3::select(normal.abs().cmplt(ASIDE), moved, further)
 }
 
-/// An axis that the normal leans to by less than this has less than a thousandth of the offset. A
-/// step there may be large, and would lead along the surface instead of away from it.
-const ASIDE: f32 = 1.0 / 32.0;
+/// An axis that the normal leans to by less than this has less than 1/256 of the offset. Floats may
+/// be far apart there, and a step would lead along the surface instead of away from it.
+const ASIDE: Vec3 = Vec3::splat(1.0 / 16.0);
 
 /// What makes up for the parts of two such axes.
-const ENOUGH: f32 = 1.0 + 1.0 / 256.0;
+const ENOUGH: f32 = 1.0 + 1.0 / 64.0;
 // ANCHOR_END: leave
 
 #[cfg(test)]
@@ -77,10 +73,12 @@ mod tests {
     }
 
     #[test]
-    fn an_offset_below_half_a_step_is_a_step() {
+    fn an_offset_below_half_a_float_is_a_float_or_two() {
         let hit = hit(Vec3::new(7.0, -3.0, 2.0), Vec3::NEG_Y, Vec3::splat(1e-12));
-        assert_eq!(spawn(&hit, Vec3::NEG_Y), Vec3::new(7.0, (-3.0f32).next_down(), 2.0));
-        assert_eq!(spawn(&hit, Vec3::Y), Vec3::new(7.0, (-3.0f32).next_up(), 2.0));
+        let floats = |origin: Vec3| (origin - hit.point) / f32::EPSILON;
+        let [down, up] = [Vec3::NEG_Y, Vec3::Y].map(|direction| floats(spawn(&hit, direction)));
+        assert!(down.x == 0.0 && down.z == 0.0 && (-4.0..=-2.0).contains(&down.y), "{down}");
+        assert!(up.x == 0.0 && up.z == 0.0 && (2.0..=4.0).contains(&up.y), "{up}");
     }
 
     #[test]

@@ -41,12 +41,11 @@ pub(super) fn experiment() -> Result<Experiment<'static>, Failure> {
     })
 }
 
+/// A way to draw a scene.
+type Draw = fn(&Stage, &Settings) -> Film;
+
 /// The three ways to draw a scene.
-fn scene(
-    name: &'static str,
-    height: u32,
-    by_hand: fn(&Stage, &Settings) -> Film,
-) -> Result<Vec<Method<'static>>, Failure> {
+fn scene(name: &'static str, height: u32, by_hand: Draw) -> Result<Vec<Method<'static>>, Failure> {
     let stage = Arc::new(named(name, brute_force)?);
     let settings = settings(height);
     let reference = by_plan(&stage, &settings, Simulate::All);
@@ -54,12 +53,12 @@ fn scene(
     let sizes = [effects(Simulate::Needed), effects(Simulate::All)];
     let needed = |stage: &Stage, settings: &Settings| by_plan(stage, settings, Simulate::Needed);
     let all = |stage: &Stage, settings: &Settings| by_plan(stage, settings, Simulate::All);
-    let ways: [(&str, usize, fn(&Stage, &Settings) -> Film); 3] = [
+    let ways: [(&str, usize, Draw); 3] = [
         ("as called for", sizes[0], needed),
         ("all effects", sizes[1], all),
         ("by hand", sizes[0], by_hand),
     ];
-    let method = |(way, effects, draw): (&str, usize, fn(&Stage, &Settings) -> Film)| {
+    let method = |(way, effects, draw): (&str, usize, Draw)| {
         let (stage, settings) = (stage.clone(), settings.clone());
         Method {
             label: format!("{name}, {way}"),

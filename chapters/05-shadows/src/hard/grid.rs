@@ -116,7 +116,13 @@ pub(super) fn leaks_robust(trial: u64) -> bool {
 mod tests {
     use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
 
-    use super::Spot;
+    use common::sampler::Stream;
+    use ray_casting::plane::Plane;
+    use ray_casting::quad::Quad;
+    use ray_casting::ray::Ray;
+    use ray_casting::shape::Shape;
+
+    use super::{Spot, draw, spawn};
     use crate::offset::Offset;
 
     /// The figures of the page, at ten million: self-hits and leaks of each cure.
@@ -144,13 +150,40 @@ mod tests {
         }
     }
 
+    /// The same for quads, thin ones among them, and for planes, which have no largest coordinate.
+    #[test]
+    fn nothing_flat_is_hit_by_what_leaves_it() {
+        let mut spawns = 0;
+        for trial in 0..300_000 {
+            let mut stream = Stream::of_trial(511, trial);
+            let size = draw::decade(&mut stream, -4.0, 4.0);
+            let away = draw::decade(&mut stream, -4.0, 6.0);
+            let center = draw::in_cube(&mut stream, away);
+            let [right, up, aside] = [(); 3].map(|()| size * draw::in_cube(&mut stream, 1.0));
+            let up = if trial.is_multiple_of(3) { right + 1e-3 * up } else { up };
+            let flat: Option<Box<dyn Shape>> = match trial.is_multiple_of(2) {
+                true => Quad::new(center, [right, up]).map(|quad| Box::new(quad) as _),
+                false => Plane::new(center, up).map(|plane| Box::new(plane) as _),
+            };
+            let target = center + 0.3 * right + 0.4 * up;
+            let ray = Ray { origin: target + aside, direction: -aside };
+            let hit = flat.as_ref().and_then(|flat| flat.hit(&ray, f32::INFINITY));
+            let (Some(flat), Some(hit)) = (flat, hit) else { continue };
+            let direction = draw::leaving(&mut stream, hit.geometric);
+            let ray = Ray { origin: spawn(&hit, direction), direction };
+            assert_eq!(flat.hit(&ray, f32::INFINITY), None, "{trial}");
+            spawns += 1;
+        }
+        assert!(spawns > 100_000, "{spawns}");
+    }
+
     /// The bound is not much too large: a fifth of it is too small.
     #[test]
     fn a_fifth_of_the_bound_is_too_small() {
         let hits = (0..400_000).filter(|&trial| {
             let mut spot = Spot::new(trial);
             spot.hit.error /= 5.0;
-            spot.hits_itself(crate::spawn::spawn)
+            spot.hits_itself(spawn)
         });
         assert!(hits.count() > 0);
     }
