@@ -89,7 +89,7 @@ pub(super) fn any_robust(trial: u64) -> bool {
 /// the scan of the good ones alone.
 static GARBAGE: LazyLock<Vec<(Scene, Trees, Scan)>> = LazyLock::new(|| {
     let scene = |count: u64| {
-        let spoil = if count % 2 == 0 { with_garbage } else { with_holes };
+        let spoil = if count.is_multiple_of(2) { with_garbage } else { with_holes };
         let triangles = spoil(soup(count));
         let trees = Trees::new(&triangles);
         (Scene::new(triangles), trees, Scan::build(soup(count)))
