@@ -199,11 +199,15 @@ struct Prepared {
 }
 
 impl Prepared {
-    /// None for a ray that hits nothing, whatever there is.
+    /// The ray, made ready when it comes to its first leaf, for many never do. None for one that hits
+    /// nothing, whatever there is.
     #[inline]
-    fn new(ray: &Ray) -> Option<Self> {
-        let sheared = ShearedRay::prepare(ray)?;
-        Some(Self { sheared, four: FourRays::new(&sheared) })
+    fn once<'a>(prepared: &'a mut Option<Self>, ray: &Ray) -> Option<&'a Self> {
+        if prepared.is_none() {
+            let sheared = ShearedRay::prepare(ray)?;
+            *prepared = Some(Self { sheared, four: FourRays::new(&sheared) });
+        }
+        prepared.as_ref()
     }
 }
 
@@ -234,13 +238,13 @@ impl Accelerator for PackedBvh {
     /// whichever was met first: so the limit after a hit is the next number above its distance.
     #[inline]
     fn nearest<T: Tally>(&self, ray: &Ray, t_max: f32, tally: &mut T) -> Option<Found> {
-        let prepared = Prepared::new(ray)?;
-        let mut limit = t_max;
+        let (mut prepared, mut limit) = (None, t_max);
         let mut nearest: Option<Found> = None;
         self.descend::<true, T>(ray, t_max, tally, |four, tally| {
             tally.count(TRIANGLE_TESTS, four.count());
+            let prepared = Prepared::once(&mut prepared, ray)?;
             let mut candidates = four.pack.candidates(&prepared.four);
-            while let Some(found) = four.next_hit(&mut candidates, &prepared, limit) {
+            while let Some(found) = four.next_hit(&mut candidates, prepared, limit) {
                 let earlier = |best: &Found| best.hit.t == found.hit.t && best.index < found.index;
                 if !nearest.as_ref().is_some_and(earlier) {
                     nearest = Some(found);
@@ -257,12 +261,12 @@ impl Accelerator for PackedBvh {
     /// Whether there is any hit: the first one found ends the search, so no order is kept.
     #[inline]
     fn is_hit<T: Tally>(&self, ray: &Ray, t_max: f32, tally: &mut T) -> bool {
-        let Some(prepared) = Prepared::new(ray) else { return false };
-        let mut hit = false;
+        let (mut prepared, mut hit) = (None, false);
         self.descend::<false, T>(ray, t_max, tally, |four, tally| {
             tally.count(TRIANGLE_TESTS, four.count());
+            let prepared = Prepared::once(&mut prepared, ray)?;
             let mut candidates = four.pack.candidates(&prepared.four);
-            hit = four.next_hit(&mut candidates, &prepared, t_max).is_some();
+            hit = four.next_hit(&mut candidates, prepared, t_max).is_some();
             (!hit).then_some(t_max)
         });
         hit
