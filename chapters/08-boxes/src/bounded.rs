@@ -110,7 +110,7 @@ mod tests {
             // Beside the middle of a face, and along it but for a little.
             let axis = trial as usize % 3;
             let mut touch = sphere.center;
-            touch[axis] += if trial % 2 == 0 { radius } else { -radius };
+            touch[axis] += if trial.is_multiple_of(2) { radius } else { -radius };
             let mut direction = point(&mut stream, 1.0);
             direction[axis] *= decade(&mut stream, -9.0, 0.0);
             let target = touch + point(&mut stream, 1e-6 * radius);
@@ -132,7 +132,7 @@ mod tests {
             let mut stream = Stream::of_trial(862, trial);
             let corner = point(&mut stream, 5.0);
             let mut edges = [point(&mut stream, 3.0), point(&mut stream, 3.0)];
-            if trial % 3 == 0 {
+            if trial.is_multiple_of(3) {
                 // Along two axes, as the walls of a room.
                 let axis = trial as usize % 9 / 3;
                 edges = [0, 1].map(|turn| {
@@ -144,7 +144,7 @@ mod tests {
             let Some(quad) = Quad::new(corner, edges) else { continue };
             let share = [0.0, 1.0, stream.uniform()][trial as usize % 3];
             let target = corner + share * edges[0] + stream.uniform() * edges[1];
-            let origin = point(&mut stream, if trial % 2 == 0 { 9.0 } else { 900.0 });
+            let origin = point(&mut stream, if trial.is_multiple_of(2) { 9.0 } else { 900.0 });
             let ray = Ray { origin, direction: target - origin };
             if let Some(lost) = is_lost(&quad, &ray) {
                 assert!(!lost, "{trial}: {quad:?} {ray:?}");

@@ -175,7 +175,7 @@ mod tests {
         let line = Line::<C::Knobs>::parse_from(
             std::iter::once("test").chain(options.split(' ').filter(|it| !it.is_empty())),
         );
-        let stage = C::build("bunny", &line.knobs).ok().expect("it is built in");
+        let stage = C::build("bunny", &line.knobs).expect("it is built in");
         let plan = Plan::new(&C::calls(&stage, &line.knobs), C::SKILLS, simulate);
         let made = C::draw::<Counts>(&stage, &plan, &settings(), &line.knobs);
         assert_eq!(made.film.nonfinite, 0);

@@ -4,7 +4,7 @@
 //! answers known beforehand, chapter 2's own test, or the same question put in another way.
 
 pub(crate) mod aimed;
-mod draw;
+pub(crate) mod draw;
 pub(crate) mod in_plane;
 mod nothing;
 mod picture;

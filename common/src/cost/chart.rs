@@ -9,6 +9,7 @@ use plotters::style::{BLACK, Color, IntoFont, RGBColor, TRANSPARENT};
 use super::{Plot, Row, Table};
 
 /// Each series has a colour of its own (Okabe and Ito's palette, told apart by the colour-blind).
+/// After the seventh they come round again, with hollow dots.
 const PALETTE: [RGBColor; 7] = [
     RGBColor(0, 114, 178),
     RGBColor(213, 94, 0),
@@ -98,6 +99,9 @@ fn draw(panel: &Panel, table: &Table) -> Result<(), DrawError> {
         .draw()?;
     for (index, series) in series(table).into_iter().enumerate() {
         let color = PALETTE[index % PALETTE.len()];
+        // A colour that comes round again is hollow.
+        let first = index < PALETTE.len();
+        let dot = if first { color.filled() } else { color.stroke_width(2) };
         let points: Vec<(f64, f64)> = table
             .rows
             .iter()
@@ -107,11 +111,14 @@ fn draw(panel: &Panel, table: &Table) -> Result<(), DrawError> {
         chart
             .draw_series(LineSeries::new(points.clone(), color.stroke_width(2)))?
             .label(&series)
-            .legend(move |(x, y)| PathElement::new([(x, y), (x + 18, y)], color.stroke_width(3)));
+            .legend(move |place| {
+                let line = PathElement::new([(0, 0), (18, 0)], color.stroke_width(1));
+                EmptyElement::at(place) + line + Circle::new((9, 0), 4, dot)
+            });
         chart.draw_series(points.iter().map(|&point| {
             let note = if point.1 <= floor { "0" } else { "" };
             EmptyElement::at(point)
-                + Circle::new((0, 0), 4, color.filled())
+                + Circle::new((0, 0), 4, dot)
                 + Text::new(note, (6, -6), ("sans-serif", 12))
         }))?;
     }

@@ -9,11 +9,13 @@ use glam::Vec3;
 use ray_casting::ray::Ray;
 
 use crate::aabb::Aabb;
-use crate::hard::in_plane::{IN_PLANE, LOPSIDED, in_plane_ray, is_right_about_zeros};
+use crate::hard::draw::allowed;
+use crate::hard::in_plane::{IN_PLANE, LOPSIDED, in_plane_ray, with_zeros};
 use crate::naive::{
     PlainRay, folded, glam_vectors, kay_kajiya, natural, old_weekend, pbrt_fast, pbrt_loop, smits,
     tavian_2015, tavian_2022,
 };
+use crate::oracle::Verdict;
 use crate::slab::BoxRay;
 
 /// Boxes that one ray is asked about in a row, as in a tree: so a form that jumps by the direction's
@@ -61,6 +63,17 @@ pub(super) fn zeros() -> Experiment<'static> {
             (0..ZEROS).filter(|&trial| !is_right_about_zeros(trial, meets)).count() as f64
         }),
         note: no_note,
+    }
+}
+
+/// Whether a form is right about the ray with zeros number `trial`, where `f64` has an answer.
+fn is_right_about_zeros(trial: u64, meets: impl Fn(&Ray, &Aabb) -> bool) -> bool {
+    let (signed, _, bounds) = with_zeros(trial);
+    let met = meets(&signed, &bounds);
+    match allowed(&signed, &bounds) {
+        Verdict::Met => met,
+        Verdict::Missed => !met,
+        Verdict::Close => true,
     }
 }
 
@@ -150,7 +163,7 @@ fn pairs() -> Pairs {
         let half = point(&mut of_box, 1.0).abs();
         // On the ray, or anywhere.
         let on_ray = origin + of_box.uniform() * ray.direction + half * point(&mut of_box, 0.9);
-        let middle = if number % 2 == 0 { on_ray } else { point(&mut of_box, 4.0) };
+        let middle = if number.is_multiple_of(2) { on_ray } else { point(&mut of_box, 4.0) };
         pairs.plain.push(PlainRay::from(&ray));
         pairs.ready.push(BoxRay::new(&ray, &scene));
         pairs.boxes.push(Aabb { min: middle - half, max: middle + half });

@@ -6,8 +6,8 @@ use std::sync::Arc;
 use common::cost::{Experiment, Method, Plot, no_note};
 
 use crate::aabb::Aabb;
-use crate::hard::aimed::{Aimed, Draw, anywhere, far_away, lattice, room, sliver};
-use crate::naive::{Form, PlainRay, ize, tavian_2022};
+use crate::hard::aimed::{Aimed, anywhere, far_away, lattice, room, sliver};
+use crate::naive::{PlainRay, ize, tavian_2022};
 use crate::slab::BoxRay;
 
 /// Rays of each kind.
@@ -17,7 +17,8 @@ const TIMED: usize = 4096;
 /// How often a run asks all of those, to be long enough for a clock.
 const REPEATS: u64 = 16;
 
-const KINDS: [Draw; 5] = [anywhere, room, far_away, lattice, sliver];
+/// What a ray and its triangle are drawn by.
+const KINDS: [fn(u64) -> Aimed; 5] = [anywhere, room, far_away, lattice, sliver];
 
 /// Rays that hit a triangle, and whether a test meets that triangle's box.
 pub(super) fn experiment() -> Experiment<'static> {
@@ -39,7 +40,10 @@ pub(super) fn experiment() -> Experiment<'static> {
     }
 }
 
-fn form(label: &'static str, hits: &Arc<Vec<Aimed>>, meets: Form) -> Method<'static> {
+fn form<F>(label: &'static str, hits: &Arc<Vec<Aimed>>, meets: F) -> Method<'static>
+where
+    F: Fn(&PlainRay, &Aabb, f32) -> bool + Copy + 'static,
+{
     let lost = hits.iter().filter(|aimed| aimed.is_lost_by(meets)).count();
     let rays: Vec<(PlainRay, Aabb)> =
         sample(hits).map(|aimed| (PlainRay::from(&aimed.ray), aimed.bounds())).collect();

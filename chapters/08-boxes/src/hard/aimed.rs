@@ -18,7 +18,7 @@ use triangles::watertight::ShearedRay;
 use super::draw;
 use crate::aabb::Aabb;
 use crate::bounded::Bounded;
-use crate::naive::{Form, PlainRay};
+use crate::naive::PlainRay;
 use crate::slab::BoxRay;
 
 /// A ray, the triangle it is aimed at, and the box of the scene.
@@ -41,7 +41,7 @@ impl Aimed {
     }
 
     /// Whether the triangle is hit and a form says its box isn't met, however far one looks.
-    pub(crate) fn is_lost_by(&self, form: Form) -> bool {
+    pub(crate) fn is_lost_by(&self, form: impl Fn(&PlainRay, &Aabb, f32) -> bool) -> bool {
         let meets = || form(&PlainRay::from(&self.ray), &self.bounds(), f32::INFINITY);
         self.hit().is_some() && !meets()
     }
@@ -53,9 +53,6 @@ impl Aimed {
         !enter.is_some_and(|enter| enter <= t)
     }
 }
-
-/// A way to draw a ray and a triangle.
-pub(crate) type Draw = fn(u64) -> Aimed;
 
 /// A mesh's corners, triangle by triangle, and its box.
 struct Target {

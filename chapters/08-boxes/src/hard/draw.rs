@@ -61,7 +61,7 @@ pub(super) fn is_wrong(ray: &Ray, bounds: &Aabb) -> bool {
 }
 
 /// What `f64` says, with a margin that the careful test may use up.
-pub(super) fn allowed(ray: &Ray, bounds: &Aabb) -> Verdict {
+pub(crate) fn allowed(ray: &Ray, bounds: &Aabb) -> Verdict {
     let largest = |vector: Vec3| f64::from(vector.abs().max_element());
     let corners = largest(bounds.min).max(largest(bounds.max));
     let reach = corners + largest(ray.origin);

@@ -7,7 +7,6 @@ use ray_casting::ray::Ray;
 use super::draw;
 use crate::aabb::Aabb;
 use crate::naive::{PlainRay, natural, smits};
-use crate::oracle::Verdict;
 use crate::slab::BoxRay;
 
 /// Rays in the planes of one box's faces: 3 axes, 2 faces, 2 signs of the zero, 2 axes to travel
@@ -42,7 +41,7 @@ pub(super) fn robust(trial: u64) -> bool {
 
 fn entry(trial: u64) -> (Ray, Aabb, bool) {
     let bounds = BOXES[(trial / (2 * IN_PLANE)) as usize];
-    let in_plane = trial % 2 == 0;
+    let in_plane = trial.is_multiple_of(2);
     let out_by = if in_plane { 0.0 } else { 0.25 * bounds.size().max_element() };
     (in_plane_ray(&bounds, trial / 2 % IN_PLANE, out_by), bounds, in_plane)
 }
@@ -74,7 +73,7 @@ pub(crate) fn with_zeros(trial: u64) -> (Ray, Ray, Aabb) {
     }
     // Every other ray is aimed at the box, or away from it.
     let back = stream.between(-4.0, 8.0) * direction;
-    let aside = if trial % 2 == 0 { Vec3::ZERO } else { draw::point(&mut stream, 1.0) };
+    let aside = if trial.is_multiple_of(2) { Vec3::ZERO } else { draw::point(&mut stream, 1.0) };
     let signed = Ray { origin: target - back + aside, direction };
     // The sum turns -0 into +0, and nothing else into anything else.
     (signed, Ray { direction: direction + Vec3::ZERO, ..signed }, bounds)
@@ -90,17 +89,6 @@ pub(super) fn zero_robust(trial: u64) -> bool {
     let (signed, positive, bounds) = with_zeros(trial);
     let enter = |ray: &Ray| BoxRay::new(ray, &bounds).enter(&bounds, f32::INFINITY);
     enter(&signed) != enter(&positive) || draw::is_wrong(&signed, &bounds)
-}
-
-/// Whether a form is right about the ray with zeros number `trial`, where `f64` has an answer.
-pub(crate) fn is_right_about_zeros(trial: u64, meets: impl Fn(&Ray, &Aabb) -> bool) -> bool {
-    let (signed, _, bounds) = with_zeros(trial);
-    let met = meets(&signed, &bounds);
-    match draw::allowed(&signed, &bounds) {
-        Verdict::Met => met,
-        Verdict::Missed => !met,
-        Verdict::Close => true,
-    }
 }
 
 #[cfg(test)]

@@ -15,7 +15,7 @@ fn points(trial: u64) -> Vec<Vec3> {
     let count = 2 + draw::below(&mut stream, 7);
     let mut points: Vec<Vec3> = (0..count).map(|_| draw::point(&mut stream, 2.0)).collect();
     let [bad, other] = [draw::below(&mut stream, count), draw::below(&mut stream, count)];
-    if trial % 2 == 0 {
+    if trial.is_multiple_of(2) {
         points[other][draw::below(&mut stream, 3)] = f32::INFINITY * draw::sign(&mut stream);
     }
     points[bad][draw::below(&mut stream, 3)] = f32::NAN;
@@ -58,7 +58,7 @@ fn order(trial: u64, join: fn(Aabb, Aabb) -> Aabb) -> bool {
     let good = Aabb { min: Vec3::new(4.0, -7.0, 10.0), max: Vec3::new(5.0, -5.0, 13.0) };
     let mut bad = good;
     let axis = (trial % 3) as usize;
-    let is_min = trial / 3 % 2 == 0;
+    let is_min = (trial / 3).is_multiple_of(2);
     *(if is_min { &mut bad.min[axis] } else { &mut bad.max[axis] }) = f32::NAN;
     (if trial / 6 == 0 { join(bad, good) } else { join(good, bad) }) != good
 }

@@ -29,7 +29,7 @@ fn flat(trial: u64) -> (Ray, Aabb) {
     let axis = draw::below(&mut stream, 3);
     bounds.max[axis] = bounds.min[axis];
     let target = draw::point_in(&mut stream, &bounds);
-    let aside = if trial % 2 == 0 { Vec3::ZERO } else { draw::point(&mut stream, 2.0) };
+    let aside = if trial.is_multiple_of(2) { Vec3::ZERO } else { draw::point(&mut stream, 2.0) };
     let origin = draw::point(&mut stream, 5.0);
     (Ray { origin, direction: target + aside - origin }, bounds)
 }
@@ -48,7 +48,7 @@ pub(super) fn flat_robust(trial: u64) -> bool {
 /// over the face and not from its middle alone.
 fn huge(trial: u64) -> (Ray, Aabb) {
     let mut stream = Stream::of_trial(842, trial);
-    let bounds = if trial % 2 == 0 {
+    let bounds = if trial.is_multiple_of(2) {
         Aabb { min: Vec3::splat(-1e15), max: Vec3::splat(1e15) }
     } else {
         Aabb { min: Vec3::new(-1e10, -2e10, -3e10), max: Vec3::new(5e15, 6e15, 7e15) }
@@ -81,7 +81,7 @@ fn tiny_direction(trial: u64) -> (Ray, Aabb) {
     }));
     slope[draw::below(&mut stream, 3)] = draw::sign(&mut stream);
     let target = draw::point_in(&mut stream, &bounds);
-    let aside = if trial % 2 == 0 { Vec3::ZERO } else { draw::point(&mut stream, 1.0) };
+    let aside = if trial.is_multiple_of(2) { Vec3::ZERO } else { draw::point(&mut stream, 1.0) };
     let origin = target + aside - stream.between(0.0, 9.0) * slope;
     (Ray { origin, direction: draw::decade(&mut stream, -30.0, 3.0) * slope }, bounds)
 }

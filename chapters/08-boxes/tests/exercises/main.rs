@@ -57,7 +57,7 @@ fn clouds() -> Vec<Vec<Vec3>> {
         let mut stream = Stream::of_trial(81, trial);
         let middle = point(&mut stream, 20.0);
         let mut points: Vec<Vec3> = (0..7).map(|_| middle + point(&mut stream, 3.0)).collect();
-        if trial % 3 == 0 {
+        if trial.is_multiple_of(3) {
             points[trial as usize % 7].y = f32::NAN;
         }
         points
@@ -178,7 +178,7 @@ fn questions() -> Vec<Question> {
         let bounds = Aabb::of_points([point(&mut stream, 3.0), point(&mut stream, 3.0)]);
         let origin = point(&mut stream, 6.0);
         let target = bounds.center() + point(&mut stream, 2.0);
-        let t_max = if trial % 3 == 0 { stream.between(0.1, 2.0) } else { f32::INFINITY };
+        let t_max = if trial.is_multiple_of(3) { stream.between(0.1, 2.0) } else { f32::INFINITY };
         Question { ray: Ray { origin, direction: target - origin }, bounds, t_max }
     });
     // Not those that f64 is needed for: which graze an edge, or end at the box.
