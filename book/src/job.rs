@@ -60,7 +60,7 @@ impl Job {
 
     /// The subcommand, if it is not a render.
     pub fn subcommand(&self) -> Option<&str> {
-        self.arguments.first().map(String::as_str).filter(|word| matches!(*word, "cost" | "hard"))
+        self.arguments.first().map(String::as_str).filter(|word| !word.starts_with('-'))
     }
 }
 

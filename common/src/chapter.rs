@@ -25,6 +25,7 @@ use crate::render::{Rendering, Settings};
 use crate::tally::{Event, Tally};
 
 pub use failure::Failure;
+pub use picture::{Target, default_path};
 
 /// A chapter of the book, as a program.
 pub trait Chapter {
@@ -155,9 +156,8 @@ pub fn main<C: Chapter>() -> ExitCode {
 /// Runs one command line of chapter `C`.
 fn run<C: Chapter>(arguments: &[OsString], out: &mut dyn Write) -> Result<ExitCode, Failure> {
     let name = C::ID.split_once('-').map_or(C::ID, |(_number, name)| name);
-    let own = C::COMMANDS
-        .iter()
-        .map(|own| (own.options)(clap::Command::new(own.name)).about(own.about));
+    let own =
+        C::COMMANDS.iter().map(|own| (own.options)(clap::Command::new(own.name)).about(own.about));
     let command = Cli::<C::Knobs>::command()
         .name(name)
         .bin_name(name)

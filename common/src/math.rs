@@ -41,6 +41,12 @@ pub fn pow(base: f32, exponent: f32) -> f32 {
     libm::powf(base, exponent)
 }
 
+/// The logarithm of `x` to the base 10.
+#[inline]
+pub fn log10(x: f64) -> f64 {
+    libm::log10(x)
+}
+
 /// `a*b - c*d` with the error of both products put back: right to 1.5 units in the last place
 /// however much cancels (hard case X-07).
 ///

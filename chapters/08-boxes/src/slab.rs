@@ -56,8 +56,9 @@ impl BoxRay {
         if !(origin.is_finite() && direction.is_finite() && direction != Vec3::ZERO) {
             return Self::NOWHERE;
         }
-        let inverse = direction.recip();
-        // The sign of the reciprocal: for -0 that is -inf, while `direction < 0` would be false.
+        // The sum turns -0 into 0, and changes nothing else: both are one direction, and get one
+        // answer, even where a face lies exactly a pad away.
+        let inverse = (direction + Vec3::ZERO).recip();
         let downward = inverse.cmplt(Vec3::ZERO);
         let pad = margin(origin, PAD * reach(origin, scene_bounds));
         let (below, above) = (origin - pad, origin + pad);

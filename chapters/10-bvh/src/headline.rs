@@ -2,13 +2,15 @@
 
 use std::io::Write;
 use std::num::NonZeroU16;
+use std::path::PathBuf;
 use std::process::ExitCode;
 use std::sync::Arc;
 use std::time::Instant;
 
 use clap::{ArgMatches, Args, FromArgMatches};
 use common::args::Size;
-use common::chapter::{Failure, OwnCommand};
+use common::chapter::{Failure, OwnCommand, Target, default_path};
+use common::film::Film;
 use common::interrupt;
 use common::plan::{Plan, Simulate};
 use common::render::{Rendering, Settings, Watch};
@@ -43,6 +45,9 @@ struct Options {
     /// Threads
     #[arg(long, value_name = "N", default_value = "1")]
     threads: NonZeroU16,
+    /// Where the picture goes: a .png or .exr file
+    #[arg(long, value_name = "FILE")]
+    out: Option<PathBuf>,
     /// Print one JSON object instead of text
     #[arg(long)]
     json: bool,
@@ -55,7 +60,7 @@ const REPORT_SECONDS: [f64; 2] = [9.0, 2049.0];
 struct Drawn {
     build_seconds: f64,
     seconds: f64,
-    hash: u64,
+    film: Film,
     complete: bool,
 }
 
@@ -72,6 +77,9 @@ impl Watch for Stoppable {
 
 fn run(matches: &ArgMatches, out: &mut dyn Write) -> Result<ExitCode, Failure> {
     let options = Options::from_arg_matches(matches)?;
+    let path = options.out.clone();
+    let path = path.unwrap_or_else(|| default_path("10-bvh-headline", "png"));
+    let target = Target::new(path.clone())?;
     let tree = draw(AccelChoice::Bvh, &options)?;
     if !options.json {
         line(out, "bvh", &tree)?;
@@ -95,7 +103,7 @@ fn run(matches: &ArgMatches, out: &mut dyn Write) -> Result<ExitCode, Failure> {
             "brute": { "seconds": brute.seconds },
             "ratio": ratio,
             "report": { "bvh": with, "brute": without, "ratio": without / with },
-            "hash": format!("{:016x}", tree.hash),
+            "hash": format!("{:016x}", tree.film.hash()),
         });
         writeln!(out, "{object}")?;
     } else {
@@ -103,8 +111,10 @@ fn run(matches: &ArgMatches, out: &mut dyn Write) -> Result<ExitCode, Failure> {
         let report = without / with;
         writeln!(out, "{ratio:.0} times sooner with the tree, its building included")?;
         writeln!(out, "the report: {with} s and {without} s, {report:.0} times")?;
+        writeln!(out, "the picture is in {}", path.display())?;
     }
-    match tree.hash == brute.hash {
+    target.write(&tree.film)?;
+    match tree.film.hash() == brute.film.hash() {
         true => Ok(ExitCode::SUCCESS),
         false => Err(Failure::Work("the two pictures are not the same".into())),
     }
@@ -136,11 +146,12 @@ fn draw(accel: AccelChoice, options: &Options) -> Result<Drawn, Failure> {
     let start = Instant::now();
     let Rendering::<Off> { film, complete, .. } = picture.draw(&settings, &plan);
     let seconds = start.elapsed().as_secs_f64();
-    Ok(Drawn { build_seconds, seconds, hash: film.hash(), complete })
+    Ok(Drawn { build_seconds, seconds, film, complete })
 }
 
 fn line(out: &mut dyn Write, name: &str, drawn: &Drawn) -> Result<(), Failure> {
-    let Drawn { build_seconds, seconds, hash, .. } = drawn;
+    let Drawn { build_seconds, seconds, film, .. } = drawn;
+    let hash = film.hash();
     writeln!(
         out,
         "{name:6} {seconds:9.3} s, after {build_seconds:.3} s for the scene, hash {hash:016x}"

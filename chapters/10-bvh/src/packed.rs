@@ -199,7 +199,7 @@ struct Prepared {
 }
 
 impl Prepared {
-    /// The ray, made ready when it comes to its first leaf: many never do. None for one that hits
+    /// The ray, made ready when it comes to its first leaf, for many never do. None for one that hits
     /// nothing, whatever there is.
     #[inline]
     fn once<'a>(prepared: &'a mut Option<Self>, ray: &Ray) -> Option<&'a Self> {
@@ -242,9 +242,9 @@ impl Accelerator for PackedBvh {
         let mut nearest: Option<Found> = None;
         self.descend::<true, T>(ray, t_max, tally, |four, tally| {
             tally.count(TRIANGLE_TESTS, four.count());
-            let ray = Prepared::once(&mut prepared, ray)?;
-            let mut candidates = four.pack.candidates(&ray.four);
-            while let Some(found) = four.next_hit(&mut candidates, ray, limit) {
+            let prepared = Prepared::once(&mut prepared, ray)?;
+            let mut candidates = four.pack.candidates(&prepared.four);
+            while let Some(found) = four.next_hit(&mut candidates, prepared, limit) {
                 let earlier = |best: &Found| best.hit.t == found.hit.t && best.index < found.index;
                 if !nearest.as_ref().is_some_and(earlier) {
                     nearest = Some(found);
@@ -264,9 +264,9 @@ impl Accelerator for PackedBvh {
         let (mut prepared, mut hit) = (None, false);
         self.descend::<false, T>(ray, t_max, tally, |four, tally| {
             tally.count(TRIANGLE_TESTS, four.count());
-            let ray = Prepared::once(&mut prepared, ray)?;
-            let mut candidates = four.pack.candidates(&ray.four);
-            hit = four.next_hit(&mut candidates, ray, t_max).is_some();
+            let prepared = Prepared::once(&mut prepared, ray)?;
+            let mut candidates = four.pack.candidates(&prepared.four);
+            hit = four.next_hit(&mut candidates, prepared, t_max).is_some();
             (!hit).then_some(t_max)
         });
         hit

@@ -25,9 +25,9 @@ use crate::plain::{BothChildren, PlainBvh};
 /// A scene made ready.
 pub enum Stage {
     /// Objects under lamps.
-    Lit(Lit),
+    Lit(Box<Lit>),
     /// A mesh.
-    Alone(Alone),
+    Alone(Box<Alone>),
 }
 
 /// A mesh, and what finds its triangles.
@@ -74,9 +74,9 @@ impl Stage {
         match knobs.view {
             ViewChoice::Lit => {
                 let stage = named(name, knobs.accel.shape())?;
-                Ok(Self::Lit(stage.seen_from(|view| knobs.aim.apply(view))?))
+                Ok(Self::Lit(Box::new(stage.seen_from(|view| knobs.aim.apply(view))?)))
             }
-            _ => Ok(Self::Alone(Alone::named(name, knobs)?)),
+            _ => Ok(Self::Alone(Box::new(Alone::named(name, knobs)?))),
         }
     }
 

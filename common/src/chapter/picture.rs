@@ -116,7 +116,7 @@ fn processors() -> usize {
 }
 
 /// Where a program puts what it makes when nothing else is said.
-pub(super) fn default_path(id: &str, ending: &str) -> PathBuf {
+pub fn default_path(id: &str, ending: &str) -> PathBuf {
     Path::new("out").join(format!("{id}.{ending}"))
 }
 
@@ -188,7 +188,7 @@ fn stopped(path: &Path) -> Result<ExitCode, Failure> {
 }
 
 /// A file a picture can be written to.
-pub(super) struct Target {
+pub struct Target {
     path: PathBuf,
     encode: fn(&Film) -> Result<Vec<u8>, image::ImageError>,
 }
@@ -196,7 +196,7 @@ pub(super) struct Target {
 impl Target {
     /// The file at `path`, whose ending says the format. Fails at once, and not after a long
     /// render, when nothing can be written there.
-    pub(super) fn new(path: PathBuf) -> Result<Self, Failure> {
+    pub fn new(path: PathBuf) -> Result<Self, Failure> {
         let ending = path.extension().and_then(|ending| ending.to_str()).map(str::to_lowercase);
         let encode = match ending.as_deref() {
             Some("png") => png::encode,
@@ -212,7 +212,7 @@ impl Target {
     }
 
     /// Writes the film, whole or not at all.
-    pub(super) fn write(&self, film: &Film) -> Result<(), Failure> {
+    pub fn write(&self, film: &Film) -> Result<(), Failure> {
         let failed = |error: &std::io::Error| Failure::writing(&self.path, error);
         let bytes = (self.encode)(film).map_err(|error| failed(&std::io::Error::other(error)))?;
         files::write_atomically(&self.path, &bytes).map_err(|error| failed(&error))

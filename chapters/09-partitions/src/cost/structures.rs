@@ -18,16 +18,20 @@ pub(super) fn bunny(triangles: Vec<[Vec3; 3]>) -> Experiment<'static> {
         title: "The bunny by each structure",
         work_unit: "rays",
         error_metric: ERROR,
-        plot: Plot::ErrorOverTime("wrong hits"),
-        methods: methods(&Sight::bunny(triangles), str::to_owned),
+        plot: Plot::TimeOver("triangle tests, cells and nodes for each ray"),
+        methods: methods(&Sight::bunny(triangles), str::to_owned, |sight, work| {
+            work as f64 / sight.rays() as f64
+        }),
         note: no_note,
     }
 }
 
 /// All structures, and more and more triangles.
 pub(super) fn growth() -> Experiment<'static> {
-    let of =
-        |count: u32| methods(&Sight::sphere(count), |name| format!("{name}, {count} triangles"));
+    let of = |count: u32| {
+        let label = |name: &str| format!("{name}, {count} triangles");
+        methods(&Sight::sphere(count), label, |sight, _| sight.triangles.len() as f64)
+    };
     Experiment {
         name: "growth",
         title: "Spheres of more and more triangles by each structure",
@@ -39,29 +43,39 @@ pub(super) fn growth() -> Experiment<'static> {
     }
 }
 
-fn methods(sight: &Sight, label: impl Fn(&str) -> String) -> Vec<Method<'static>> {
+/// All structures, each at its place on the plot's axis, which may depend on its work.
+fn methods(
+    sight: &Sight,
+    label: impl Fn(&str) -> String,
+    place: impl Fn(&Sight, u64) -> f64,
+) -> Vec<Method<'static>> {
     let triangles = || sight.triangles.clone();
+    let median = KdTree::with_split(&sight.triangles, Split::Median);
+    let naming = Naming { sight, label, place };
     vec![
-        method(sight, Scan::build(triangles()), "linear scan", &label),
-        method(sight, Grid::build(triangles()), "grid", &label),
-        method(sight, Octree::build(triangles()), "octree", &label),
-        method(
-            sight,
-            KdTree::with_split(&sight.triangles, Split::Median),
-            "k-d tree (median)",
-            &label,
-        ),
-        method(sight, KdTree::build(triangles()), "k-d tree (SAH)", &label),
-        method(sight, BspTree::build(triangles()), "BSP tree", &label),
+        naming.method("linear scan", Scan::build(triangles())),
+        naming.method("grid", Grid::build(triangles())),
+        naming.method("octree", Octree::build(triangles())),
+        naming.method("k-d tree (median)", median),
+        naming.method("k-d tree (SAH)", KdTree::build(triangles())),
+        naming.method("BSP tree", BspTree::build(triangles())),
     ]
 }
 
-fn method(
-    sight: &Sight,
-    accelerator: impl Accelerator + 'static,
-    name: &'static str,
-    label: &impl Fn(&str) -> String,
-) -> Method<'static> {
-    let size = sight.triangles.len() as f64;
-    sight.method(accelerator, name, label(name), size, sight.rays())
+/// How the methods over one scene are called and placed.
+struct Naming<'a, Label, Place> {
+    sight: &'a Sight,
+    label: Label,
+    place: Place,
+}
+
+impl<Label: Fn(&str) -> String, Place: Fn(&Sight, u64) -> f64> Naming<'_, Label, Place> {
+    fn method(
+        &self,
+        name: &'static str,
+        accelerator: impl Accelerator + 'static,
+    ) -> Method<'static> {
+        let size = (self.place)(self.sight, self.sight.work(&accelerator));
+        self.sight.method(accelerator, name, (self.label)(name), size, self.sight.rays())
+    }
 }

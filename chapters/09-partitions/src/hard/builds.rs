@@ -131,18 +131,16 @@ fn nearer_ones_come_first() {
         };
         let scene = Scene::new((0..200).map(sheet).collect());
         let ray = Ray { origin: -300.0 * direction, direction };
-        let structures: [(&str, &dyn Fn(&mut Counts) -> Option<Found>); 5] = [
-            ("grid", &|counts| scene.grid.nearest(&ray, f32::INFINITY, counts)),
-            ("octree", &|counts| scene.octree.nearest(&ray, f32::INFINITY, counts)),
-            ("median", &|counts| scene.median.nearest(&ray, f32::INFINITY, counts)),
-            ("sah", &|counts| scene.sah.nearest(&ray, f32::INFINITY, counts)),
-            ("bsp", &|counts| scene.bsp.nearest(&ray, f32::INFINITY, counts)),
-        ];
-        for (name, nearest) in structures {
+        let check = |name: &str, nearest: &dyn Fn(&mut Counts) -> Option<Found>| {
             let mut counts = Counts::default();
             assert_eq!(nearest(&mut counts).map(|found| found.index), Some(0));
             let tests = counts.of(TRIANGLE_TESTS);
             assert!(tests <= 60, "{name} asks {tests} along {direction}");
-        }
+        };
+        check("grid", &|counts| scene.grid.nearest(&ray, f32::INFINITY, counts));
+        check("octree", &|counts| scene.octree.nearest(&ray, f32::INFINITY, counts));
+        check("median", &|counts| scene.median.nearest(&ray, f32::INFINITY, counts));
+        check("sah", &|counts| scene.sah.nearest(&ray, f32::INFINITY, counts));
+        check("bsp", &|counts| scene.bsp.nearest(&ray, f32::INFINITY, counts));
     }
 }

@@ -1,6 +1,7 @@
 //! Time against triangles, for every structure of this part.
 
 use common::cost::{Experiment, Method, Plot, Table};
+use common::math::log10;
 use partitions::accelerator::Accelerator;
 use partitions::bsp::BspTree;
 use partitions::cost::sight::{ERROR, Sight};
@@ -59,8 +60,8 @@ fn note(table: &Table) -> String {
     };
     let (small, large) = (SIZES[1].0, SIZES[SIZES.len() - 1].0);
     let (Some(few), Some(many)) = (time(small), time(large)) else { return String::new() };
-    let logarithms = f64::from(large).log10() / f64::from(small).log10();
-    let slope = (many / few).log10() / (f64::from(large) / f64::from(small)).log10();
+    let [small, large, times] = [f64::from(small), f64::from(large), many / few].map(log10);
+    let (logarithms, slope) = (large / small, times / (large - small));
     format!(
         "From 10^3 to 10^6 triangles the logarithm grows {logarithms:.1} times, and the time for a \
          ray through the BVH {:.1} times: a slope of {slope:.2} on these axes.",

@@ -16,6 +16,12 @@ use forest::Forest;
 const CHAPTER: Chapter =
     Chapter { package: env!("CARGO_PKG_NAME"), folder: env!("CARGO_MANIFEST_DIR") };
 
+/// The centres of a set.
+#[derive(Debug)]
+pub(crate) struct Cloud {
+    pub(crate) centers: Vec<Vec3>,
+}
+
 /// A node that is cut in two.
 #[derive(Debug)]
 pub(crate) struct Cut {
@@ -50,7 +56,7 @@ fn exercise_10_1() -> Result<(), Failure> {
         cases: centers,
         expected: half_by_rank,
         agree: |_, expected, yours| expected == yours,
-        yours: |case| sorted(exercises::lower_half(case)),
+        yours: |case| sorted(exercises::lower_half(&case.centers)),
         solution: |case| sorted(solutions::lower_half(case)),
         mistakes: vec![
             Mistake {
@@ -82,20 +88,21 @@ fn exercise_10_1() -> Result<(), Failure> {
 }
 
 /// Four by hand, then clouds that are longest along each axis in turn.
-fn centers() -> Vec<Vec<Vec3>> {
+fn centers() -> Vec<Cloud> {
     let few = [(3.0, 1.0, 9.0), (1.0, 2.0, 0.5), (2.0, 0.0, 4.0), (4.0, 3.0, 1.0)];
-    let mut cases = vec![few.map(Vec3::from).to_vec()];
+    let mut cases = vec![Cloud { centers: few.map(Vec3::from).to_vec() }];
     for trial in 0..60 {
         let mut stream = Stream::of_trial(1011, trial);
         let mut size = Vec3::new(1.0, 2.0, 3.0);
         size[(trial % 3) as usize] = 10.0;
-        cases.push((0..2 + trial).map(|_| point(&mut stream, size)).collect());
+        let centers = (0..2 + trial).map(|_| point(&mut stream, size)).collect();
+        cases.push(Cloud { centers });
     }
     cases
 }
 
 /// A centre is in the lower half if fewer than half of the others lie below it.
-fn half_by_rank(centers: &Vec<Vec3>) -> Vec<usize> {
+fn half_by_rank(Cloud { centers }: &Cloud) -> Vec<usize> {
     let extent = |axis: usize| {
         let along = centers.iter().map(|center| f64::from(center[axis]));
         along.clone().fold(f64::MIN, f64::max) - along.fold(f64::MAX, f64::min)

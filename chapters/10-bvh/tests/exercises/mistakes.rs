@@ -4,28 +4,27 @@ use boxes::aabb::Aabb;
 use boxes::slab::BoxRay;
 use bvh::node::Node;
 use bvh::tree::Bvh;
-use glam::Vec3;
 
-use crate::{Ask, Children, Cut, Hit, solutions};
+use crate::{Ask, Children, Cloud, Cut, Hit, solutions};
 
-pub(crate) fn first_of_the_list(centers: &Vec<Vec3>) -> Vec<usize> {
+pub(crate) fn first_of_the_list(Cloud { centers }: &Cloud) -> Vec<usize> {
     (0..centers.len() / 2).collect()
 }
 
-pub(crate) fn along_x(centers: &Vec<Vec3>) -> Vec<usize> {
+pub(crate) fn along_x(Cloud { centers }: &Cloud) -> Vec<usize> {
     let mut places: Vec<usize> = (0..centers.len()).collect();
     places.sort_by(|&a, &b| centers[a].x.total_cmp(&centers[b].x));
     places.truncate(centers.len() / 2);
     crate::sorted(places)
 }
 
-pub(crate) fn upper_half(centers: &Vec<Vec3>) -> Vec<usize> {
-    let lower = solutions::lower_half(centers);
+pub(crate) fn upper_half(cloud: &Cloud) -> Vec<usize> {
+    let (lower, centers) = (solutions::lower_half(cloud), &cloud.centers);
     let upper: Vec<usize> = (0..centers.len()).filter(|place| !lower.contains(place)).collect();
     upper.into_iter().take(centers.len() / 2).collect()
 }
 
-pub(crate) fn below_the_middle(centers: &Vec<Vec3>) -> Vec<usize> {
+pub(crate) fn below_the_middle(Cloud { centers }: &Cloud) -> Vec<usize> {
     let bounds = Aabb::of_points(centers.iter().copied());
     let (axis, middle) = (bounds.longest_axis(), bounds.center());
     (0..centers.len()).filter(|&place| centers[place][axis] < middle[axis]).collect()

@@ -3,11 +3,10 @@
 use boxes::aabb::Aabb;
 use boxes::slab::BoxRay;
 use bvh::tree::Bvh;
-use glam::Vec3;
 
-use crate::{Ask, Children, Cut, Hit};
+use crate::{Ask, Children, Cloud, Cut, Hit};
 
-pub(crate) fn lower_half(centers: &Vec<Vec3>) -> Vec<usize> {
+pub(crate) fn lower_half(Cloud { centers }: &Cloud) -> Vec<usize> {
     let axis = Aabb::of_points(centers.iter().copied()).longest_axis();
     let mut places: Vec<usize> = (0..centers.len()).collect();
     places.sort_by(|&a, &b| centers[a][axis].total_cmp(&centers[b][axis]));
