@@ -45,7 +45,7 @@ pub(crate) fn integral(exponent: u32, cosine: f64) -> f64 {
     let eye = DVec3::new((1.0 - cosine * cosine).sqrt(), 0.0, cosine);
     let ring = |y: f64| squaring::power(1.0, 1.0 - y, exponent) * around(y, eye);
     let octaves = (0..40).map(|octave| 1.0 / (1u64 << octave) as f64);
-    octaves.map(|high| gauss(high / 2.0, high, &ring)).sum()
+    octaves.map(|high| gauss(high / 2.0, high, ring)).sum()
 }
 
 /// The integral over all half vectors with this y: around the normal once.
