@@ -83,7 +83,7 @@ impl Term {
             material.diffuse = BLACK;
         }
         if !kept(Self::Highlight) {
-            material.specular = Color::ZERO;
+            (material.specular, material.shininess) = (Color::ZERO, 0.0);
         }
     }
 }
@@ -109,10 +109,10 @@ impl Knobs {
             scene.ambient = Color::splat(level);
         }
         for object in &mut scene.objects {
-            self.term.keep(&mut object.material);
             if let Some(Amount(shininess)) = self.shininess {
                 object.material.shininess = shininess;
             }
+            self.term.keep(&mut object.material);
         }
     }
 

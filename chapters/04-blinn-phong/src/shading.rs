@@ -29,7 +29,11 @@ pub fn returned<M: Model + ?Sized>(
     if !(cosine > 0.0) {
         return Color::ZERO;
     }
-    let strength = M::highlight(normal, toward_eye, arriving.toward, surface.shininess);
+    // A surface without a highlight doesn't pay for one.
+    let strength = match surface.shininess > 0.0 {
+        true => M::highlight(normal, toward_eye, arriving.toward, surface.shininess),
+        false => 0.0,
+    };
     arriving.color * (cosine * surface.diffuse + strength * surface.specular)
 }
 // ANCHOR_END: returned

@@ -45,6 +45,7 @@ pub fn normal(hit: &Hit, direction: Vec3) -> Vec3 {
 ///
 /// Wächter and Binder, "A fast and robust method for avoiding self-intersection" (Ray Tracing Gems,
 /// chapter 6, 2019).
+#[inline]
 pub fn integer(hit: &Hit, direction: Vec3) -> Vec3 {
     let normal = side(hit, direction);
     let step = |axis: usize| {

@@ -9,11 +9,13 @@ use ray_casting::shape::Hit;
 /// one's length.
 ///
 /// Pharr, Jakob and Humphreys, "Physically Based Rendering" (fourth edition, 2023), section 6.8.6.
+#[inline]
 pub fn spawn(hit: &Hit, direction: Vec3) -> Vec3 {
     leave(hit, direction, reach(hit))
 }
 
 /// How far from its point, along its normal, the surface at `hit` may be.
+#[inline]
 fn reach(hit: &Hit) -> f32 {
     hit.geometric.abs().dot(hit.error)
 }
@@ -31,6 +33,7 @@ pub(crate) fn spawn_far(hit: &Hit, direction: Vec3, distance: f32) -> Vec3 {
 // ANCHOR: leave
 /// The point of `hit`, moved `distance` or a little more along the surface's own normal to the side
 /// of `direction`.
+#[inline]
 fn leave(hit: &Hit, direction: Vec3, distance: f32) -> Vec3 {
     let normal = hit.geometric;
     let outward = normal.dot(direction) >= 0.0;

@@ -14,8 +14,8 @@ use crate::spawn::spawn;
 /// Spawns for counting failures.
 const COUNTED: u64 = 100_000;
 /// Spawns for measuring time, and how often a run does them.
-const TIMED: usize = 4096;
-const REPEATS: usize = 200;
+const TIMED: usize = 512;
+const REPEATS: usize = 1600;
 
 pub(super) fn experiment() -> Experiment<'static> {
     let spots: Arc<Vec<Spot>> = Arc::new((0..COUNTED).map(Spot::new).collect());

@@ -39,7 +39,7 @@ pub(super) fn experiment() -> Experiment<'static> {
         title: "Is the lamp seen? Eight spheres and a bumpy ball of 1000 triangles",
         work_unit: "shape and triangle tests",
         error_metric: "answers that differ from those of the nearest hit in the same ray, per million",
-        plot: Plot::ErrorOverTime("different answers per million"),
+        plot: Plot::TimeOver("shape and triangle tests"),
         methods: vec![
             method("the nearest hit", &shapes, &lines, nearest_hit::<Counts>, |shapes, line| {
                 nearest_hit(shapes, line, &mut Off)
@@ -117,7 +117,7 @@ fn method(
     Method {
         label: label.into(),
         series: label,
-        size: 1.0,
+        size: (work * REPEATS as u64) as f64,
         work: work * REPEATS as u64,
         error: 1e6 * different as f64 / lines.len() as f64,
         run: Box::new(move || {
