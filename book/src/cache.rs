@@ -158,7 +158,7 @@ mod tests {
         std::fs::create_dir(&assets).expect("it can be made");
         std::fs::write(assets.join("a.obj"), "v 1 2 3").expect("it can be written");
         let fresh = || Cache::new(&folder.path().join("cache"), &assets);
-        let (cache, entry) = (fresh(), &CHAPTERS[0]);
+        let (cache, entry) = (fresh(), CHAPTERS[0]);
         let job = |words| Job::parse(words, Keep::Json, CHAPTERS).expect("it is a job");
         let (one, two) = (job("fake --size 1x2"), job("fake --size 2x1"));
 

@@ -1,43 +1,33 @@
 //! The chapters the book can run, in their order.
 
-use blinn_phong::command::LitScenes;
-use boxes::command::Boxes;
-use bvh::command::Hierarchies;
 use common::chapter::Entry;
-use fresnel::command::Fresnel;
-use object_order::command::ObjectOrder;
-use partitions::command::Partitions;
-use ray_casting::command::RayCasting;
-use shadows::command::Shadows;
-use triangles::command::Triangles;
-use whitted::command::Whitted;
 
 /// Every chapter; a new one is added at the end.
-pub const CHAPTERS: &[Entry] = &[
-    Entry::of::<RayCasting>(),
-    Entry::of::<Triangles>(),
-    Entry::of::<ObjectOrder>(),
-    Entry::of::<LitScenes>(),
-    Entry::of::<Shadows>(),
-    Entry::of::<Whitted>(),
-    Entry::of::<Fresnel>(),
-    Entry::of::<Boxes>(),
-    Entry::of::<Partitions>(),
-    Entry::of::<Hierarchies>(),
+pub static CHAPTERS: &[&Entry] = &[
+    &ray_casting::command::PROGRAM,
+    &triangles::command::PROGRAM,
+    &object_order::command::PROGRAM,
+    &blinn_phong::command::PROGRAM,
+    &shadows::command::PROGRAM,
+    &whitted::command::PROGRAM,
+    &fresnel::command::PROGRAM,
+    &boxes::command::PROGRAM,
+    &partitions::command::PROGRAM,
+    &bvh::command::PROGRAM,
 ];
 
 /// The chapter that a reader calls `name`: "1", "01", "01-ray-casting" or "ray-casting".
-pub fn find<'a>(chapters: &'a [Entry], name: &str) -> Option<&'a Entry> {
+pub fn find<'a>(chapters: &'a [&'a Entry], name: &str) -> Option<&'a Entry> {
     let number = name.parse::<u32>().ok();
-    chapters.iter().find(|entry| {
+    chapters.iter().copied().find(|entry| {
         let (digits, package) = entry.id.split_once('-').unwrap_or(("", entry.id));
         entry.id == name || package == name || (number.is_some() && digits.parse().ok() == number)
     })
 }
 
 /// The packages' names in one line, for messages.
-pub fn names(chapters: &[Entry]) -> String {
-    chapters.iter().map(Entry::package).collect::<Vec<_>>().join(", ")
+pub fn names(chapters: &[&Entry]) -> String {
+    chapters.iter().map(|entry| entry.package()).collect::<Vec<_>>().join(", ")
 }
 
 #[cfg(test)]

@@ -42,7 +42,7 @@ enum Command {
 /// Runs a command line (the program's name included).
 pub fn run(
     arguments: impl Iterator<Item = OsString>,
-    chapters: &[Entry],
+    chapters: &[&Entry],
     out: &mut dyn Write,
 ) -> Result<(), Trouble> {
     let cli = Cli::try_parse_from(arguments)?;

@@ -37,7 +37,7 @@ struct Difference {
 /// Judges the exercises of the chapter called `name`, or of all, and says which is the next.
 pub fn run(
     places: &Places,
-    chapters: &[Entry],
+    chapters: &[&Entry],
     name: Option<&str>,
     out: &mut dyn Write,
 ) -> Result<(), Trouble> {
@@ -61,8 +61,8 @@ pub fn run(
     Ok(())
 }
 
-fn choose<'a>(chapters: &'a [Entry], name: Option<&str>) -> Result<Vec<&'a Entry>, Trouble> {
-    let Some(name) = name else { return Ok(chapters.iter().collect()) };
+fn choose<'a>(chapters: &'a [&'a Entry], name: Option<&str>) -> Result<Vec<&'a Entry>, Trouble> {
+    let Some(name) = name else { return Ok(chapters.to_vec()) };
     chapters::find(chapters, name).map(|entry| vec![entry]).ok_or_else(|| {
         let list: String = chapters.iter().map(|entry| format!("\n  {}", entry.id)).collect();
         Trouble::Usage(format!("there is no chapter '{name}'; there are:{list}"))

@@ -25,7 +25,7 @@ pub struct Sources<'a> {
     /// The folder of the pages.
     pub text: &'a Path,
     /// All chapters.
-    pub chapters: &'a [Entry],
+    pub chapters: &'a [&'a Entry],
     /// What their commands made.
     pub figures: &'a Figures,
 }

@@ -11,7 +11,7 @@ use common::cost::{Experiment, Method, Plot};
 use common::hard::Case;
 
 /// A book of one chapter.
-pub(crate) const CHAPTERS: &[Entry] = &[Entry { id: "07-fake", run, hard, cost }];
+pub(crate) const CHAPTERS: &[&Entry] = &[&Entry { id: "07-fake", run, hard, cost }];
 
 fn run(arguments: &[OsString], out: &mut dyn Write) -> Result<ExitCode, Failure> {
     let words: Vec<&str> = arguments.iter().filter_map(|word| word.to_str()).collect();

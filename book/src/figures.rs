@@ -22,7 +22,7 @@ pub type Asked = BTreeMap<Job, Problem>;
 /// Makes every figure that isn't kept from before; `problems` gets those that fail.
 pub fn make(
     asked: &Asked,
-    chapters: &[Entry],
+    chapters: &[&Entry],
     cache: &Cache,
     problems: &mut Vec<Problem>,
 ) -> Result<Figures, Trouble> {
@@ -66,8 +66,8 @@ pub fn make(
 }
 
 /// The chapter that runs a job.
-pub fn entry<'a>(job: &Job, chapters: &'a [Entry]) -> Option<&'a Entry> {
-    chapters.iter().find(|entry| entry.package() == job.package)
+pub fn entry<'a>(job: &Job, chapters: &'a [&'a Entry]) -> Option<&'a Entry> {
+    chapters.iter().copied().find(|entry| entry.package() == job.package)
 }
 
 /// Does one job; gives the text to keep.

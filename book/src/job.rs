@@ -31,7 +31,7 @@ pub enum Keep {
 
 impl Job {
     /// The job for the words of a command, such as "ray-casting --size 320x240".
-    pub fn parse(words: &str, keep: Keep, chapters: &[Entry]) -> Result<Self, String> {
+    pub fn parse(words: &str, keep: Keep, chapters: &[&Entry]) -> Result<Self, String> {
         let mut words = words.split_whitespace().map(str::to_string);
         let package = words.next().unwrap_or_default();
         if !chapters.iter().any(|entry| entry.package() == package) {
@@ -65,7 +65,7 @@ impl Job {
 }
 
 /// The jobs that a directive needs done, in the order it shows them.
-pub fn of(directive: &Directive, chapters: &[Entry]) -> Result<Vec<Job>, String> {
+pub fn of(directive: &Directive, chapters: &[&Entry]) -> Result<Vec<Job>, String> {
     let arguments = directive.arguments.as_str();
     let first = arguments.split_whitespace().next().unwrap_or_default();
     let one = |words: &str, keep| Job::parse(words, keep, chapters).map(|job| vec![job]);

@@ -27,7 +27,7 @@ pub struct Read {
 }
 
 /// Reads a page and gathers what is wrong with it, as far as can be told without running a command.
-pub fn read(page: Page, text: &Path, chapters: &[Entry], problems: &mut Vec<Problem>) -> Read {
+pub fn read(page: Page, text: &Path, chapters: &[&Entry], problems: &mut Vec<Problem>) -> Read {
     let directives = crate::directive::scan(&page, problems);
     let outline = Outline::of(&page.text);
     let read = Read { page, directives, outline };
@@ -49,7 +49,7 @@ pub fn read(page: Page, text: &Path, chapters: &[Entry], problems: &mut Vec<Prob
 
 impl Read {
     /// Blocks of code say what they are, and Rust is included, never pasted.
-    fn check_fence(&self, fence: &Fence, chapters: &[Entry], problems: &mut Vec<Problem>) {
+    fn check_fence(&self, fence: &Fence, chapters: &[&Entry], problems: &mut Vec<Problem>) {
         let at = fence.range.start;
         let Some(label) = &fence.label else {
             let message = "a block of code without a label; begin it with ```text, ```sh or \
@@ -174,7 +174,7 @@ fn packages(shell: &str) -> impl Iterator<Item = &str> {
     })
 }
 
-fn is_package(name: &str, chapters: &[Entry]) -> bool {
+fn is_package(name: &str, chapters: &[&Entry]) -> bool {
     matches!(name, "book" | "common" | "tests")
         || chapters.iter().any(|entry| entry.package() == name)
 }

@@ -20,7 +20,7 @@ const PULSE: Duration = Duration::from_millis(400);
 /// Builds the book and serves it until Ctrl-C.
 pub fn run(
     places: &Places,
-    chapters: &[Entry],
+    chapters: &[&Entry],
     port: u16,
     out: &mut dyn Write,
 ) -> Result<(), Trouble> {
@@ -68,7 +68,7 @@ fn look(places: &Places) -> Snapshot {
     Snapshot::of(&folders)
 }
 
-fn again(places: &Places, chapters: &[Entry], changes: &[PathBuf]) -> Result<(), Trouble> {
+fn again(places: &Places, chapters: &[&Entry], changes: &[PathBuf]) -> Result<(), Trouble> {
     let names = changes
         .iter()
         .map(|path| path.strip_prefix(&places.root).unwrap_or(path).display().to_string());

@@ -24,13 +24,13 @@ struct Manuscript {
 }
 
 /// Makes all figures.
-pub fn make_figures(places: &Places, chapters: &[Entry]) -> Result<usize, Trouble> {
+pub fn make_figures(places: &Places, chapters: &[&Entry]) -> Result<usize, Trouble> {
     prepare(places, chapters).map(|manuscript| manuscript.figures.len())
 }
 
 /// Builds the whole book; gives its first page. The book that was there before stays until the new
 /// one is without a problem.
-pub fn build(places: &Places, chapters: &[Entry]) -> Result<PathBuf, Trouble> {
+pub fn build(places: &Places, chapters: &[&Entry]) -> Result<PathBuf, Trouble> {
     let mut manuscript = prepare(places, chapters)?;
     fill(&mut manuscript, places, chapters)?;
     let draft = Draft::of(&manuscript, places)?;
@@ -39,7 +39,7 @@ pub fn build(places: &Places, chapters: &[Entry]) -> Result<PathBuf, Trouble> {
 }
 
 /// Reads and checks the pages and makes their figures.
-fn prepare(places: &Places, chapters: &[Entry]) -> Result<Manuscript, Trouble> {
+fn prepare(places: &Places, chapters: &[&Entry]) -> Result<Manuscript, Trouble> {
     let book = load(places)?;
     let mut problems = Vec::new();
     let pages: Vec<Read> = book
@@ -75,7 +75,7 @@ fn page(chapter: &Chapter) -> Option<Page> {
 }
 
 /// Every job the pages need, with the first place that needs it.
-fn asked(pages: &[Read], chapters: &[Entry], problems: &mut Vec<Problem>) -> Asked {
+fn asked(pages: &[Read], chapters: &[&Entry], problems: &mut Vec<Problem>) -> Asked {
     let mut asked = Asked::new();
     for read in pages {
         for directive in &read.directives.found {
@@ -92,7 +92,7 @@ fn asked(pages: &[Read], chapters: &[Entry], problems: &mut Vec<Problem>) -> Ask
 }
 
 /// Puts files and figures into the pages.
-fn fill(manuscript: &mut Manuscript, places: &Places, chapters: &[Entry]) -> Result<(), Trouble> {
+fn fill(manuscript: &mut Manuscript, places: &Places, chapters: &[&Entry]) -> Result<(), Trouble> {
     let Manuscript { book, pages, figures } = manuscript;
     let sources = Sources { text: &places.text, chapters, figures };
     let mut problems = Vec::new();

@@ -1,6 +1,6 @@
 //! What each chapter's program does: draw its picture, show what accuracy costs, run its hard cases.
 //!
-//! A chapter implements [`Chapter`] in its library; its `main` is [`main`]. The book runs the same
+//! A chapter implements [`Chapter`] in its library; its `main` calls [`main`]. The book runs the same
 //! command lines inside its own program through [`Entry`].
 
 mod costs;
@@ -118,6 +118,9 @@ pub struct SceneName {
 }
 
 /// A chapter's program as plain functions, so that a list can hold all chapters.
+///
+/// A chapter's library has one as a `static`. So its code is compiled there, and not once more by
+/// each program and each test that runs it.
 #[derive(Clone, Copy)]
 pub struct Entry {
     /// The chapter's number and name: "01-ray-casting".
@@ -142,12 +145,12 @@ impl Entry {
     }
 }
 
-/// The whole program of chapter `C`, for its `main`.
-pub fn main<C: Chapter>() -> ExitCode {
+/// The whole program of a chapter, for its `main`.
+pub fn main(program: &Entry) -> ExitCode {
     interrupt::listen();
     let arguments: Vec<OsString> = std::env::args_os().skip(1).collect();
     let mut out = std::io::stdout().lock();
-    match run::<C>(&arguments, &mut out) {
+    match (program.run)(&arguments, &mut out) {
         Ok(code) => code,
         Err(failure) => failure.report(),
     }

@@ -6,17 +6,17 @@ use common::chapter::Entry;
 use serde_json::Value;
 
 /// Every chapter, in the book's order.
-pub const CHAPTERS: [Entry; 10] = [
-    Entry::of::<ray_casting::command::RayCasting>(),
-    Entry::of::<triangles::command::Triangles>(),
-    Entry::of::<object_order::command::ObjectOrder>(),
-    Entry::of::<blinn_phong::command::LitScenes>(),
-    Entry::of::<shadows::command::Shadows>(),
-    Entry::of::<whitted::command::Whitted>(),
-    Entry::of::<fresnel::command::Fresnel>(),
-    Entry::of::<boxes::command::Boxes>(),
-    Entry::of::<partitions::command::Partitions>(),
-    Entry::of::<bvh::command::Hierarchies>(),
+pub static CHAPTERS: [&Entry; 10] = [
+    &ray_casting::command::PROGRAM,
+    &triangles::command::PROGRAM,
+    &object_order::command::PROGRAM,
+    &blinn_phong::command::PROGRAM,
+    &shadows::command::PROGRAM,
+    &whitted::command::PROGRAM,
+    &fresnel::command::PROGRAM,
+    &boxes::command::PROGRAM,
+    &partitions::command::PROGRAM,
+    &bvh::command::PROGRAM,
 ];
 
 /// What the chapter's command line prints. Panics with the chapter's own message if it fails.

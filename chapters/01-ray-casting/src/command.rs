@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use common::chapter::{Chapter, Defaults, Failure, SceneName, unknown_scene};
+use common::chapter::{Chapter, Defaults, Entry, Failure, SceneName, unknown_scene};
 use common::cost::Experiment;
 use common::film::Film;
 use common::hard::Case;
@@ -19,6 +19,9 @@ use crate::{cost, hard};
 
 /// Chapter 1's program.
 pub struct RayCasting;
+
+/// The same as a value, compiled here once for all who run it.
+pub static PROGRAM: Entry = Entry::of::<RayCasting>();
 
 /// A scene with a camera that was found to be possible.
 pub struct Scene {

@@ -3,5 +3,5 @@
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
-    common::chapter::main::<ray_casting::command::RayCasting>()
+    common::chapter::main(&ray_casting::command::PROGRAM)
 }

@@ -1,7 +1,7 @@
 //! What the chapter's program does.
 
 use clap::Args;
-use common::chapter::{Chapter, Defaults, Failure, SceneName};
+use common::chapter::{Chapter, Defaults, Entry, Failure, SceneName};
 use common::cost::Experiment;
 use common::film::Film;
 use common::hard::Case;
@@ -24,6 +24,9 @@ use crate::{cost, hard};
 
 /// Chapter 2.
 pub struct Triangles;
+
+/// The same as a value, compiled here once for all who run it.
+pub static PROGRAM: Entry = Entry::of::<Triangles>();
 
 /// The chapter's own options.
 #[derive(Clone, Debug, Args)]

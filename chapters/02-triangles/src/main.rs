@@ -2,8 +2,6 @@
 
 use std::process::ExitCode;
 
-use triangles::command::Triangles;
-
 fn main() -> ExitCode {
-    common::chapter::main::<Triangles>()
+    common::chapter::main(&triangles::command::PROGRAM)
 }

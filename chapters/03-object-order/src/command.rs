@@ -1,7 +1,7 @@
 //! What the chapter's program does.
 
 use clap::Args;
-use common::chapter::{Chapter, Defaults, Failure, SceneName};
+use common::chapter::{Chapter, Defaults, Entry, Failure, SceneName};
 use common::cost::Experiment;
 use common::film::{Color, Film};
 use common::hard::Case;
@@ -26,6 +26,9 @@ use crate::{cost, hard, image, object, shade};
 
 /// Chapter 3.
 pub struct ObjectOrder;
+
+/// The same as a value, compiled here once for all who run it.
+pub static PROGRAM: Entry = Entry::of::<ObjectOrder>();
 
 /// The chapter's own options.
 #[derive(Clone, Debug, Default, Args)]

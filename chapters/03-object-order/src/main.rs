@@ -2,8 +2,6 @@
 
 use std::process::ExitCode;
 
-use object_order::command::ObjectOrder;
-
 fn main() -> ExitCode {
-    common::chapter::main::<ObjectOrder>()
+    common::chapter::main(&object_order::command::PROGRAM)
 }

@@ -1,6 +1,6 @@
 //! The program: lit scenes.
 
-use common::chapter::{Chapter, Defaults, Failure, SceneName};
+use common::chapter::{Chapter, Defaults, Entry, Failure, SceneName};
 use common::cost::Experiment;
 use common::film::Film;
 use common::hard::Case;
@@ -21,6 +21,9 @@ use crate::{cost, hard};
 
 /// Chapter 4's program.
 pub struct LitScenes;
+
+/// The same as a value, compiled here once for all who run it.
+pub static PROGRAM: Entry = Entry::of::<LitScenes>();
 
 /// The effects this chapter can simulate.
 pub const SKILLS: &[Skill] = &[

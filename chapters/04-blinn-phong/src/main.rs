@@ -3,5 +3,5 @@
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
-    common::chapter::main::<blinn_phong::command::LitScenes>()
+    common::chapter::main(&blinn_phong::command::PROGRAM)
 }

@@ -2,7 +2,7 @@
 
 use blinn_phong::picture::{LIGHT_SAMPLES, SHADING_POINTS, TEXTURE_LOOKUPS};
 use blinn_phong::scenes::{Stage, brute_force};
-use common::chapter::{Chapter, Defaults, Failure, SceneName};
+use common::chapter::{Chapter, Defaults, Entry, Failure, SceneName};
 use common::cost::Experiment;
 use common::film::Film;
 use common::hard::Case;
@@ -22,6 +22,9 @@ use crate::{calls, cost, hard};
 
 /// Chapter 5's program.
 pub struct Shadows;
+
+/// The same as a value, compiled here once for all who run it.
+pub static PROGRAM: Entry = Entry::of::<Shadows>();
 
 /// The effects this chapter can simulate.
 pub const SKILLS: &[Skill] = &[

@@ -3,5 +3,5 @@
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
-    common::chapter::main::<shadows::command::Shadows>()
+    common::chapter::main(&shadows::command::PROGRAM)
 }

@@ -2,7 +2,7 @@
 
 use blinn_phong::picture::{LIGHT_SAMPLES, SHADING_POINTS, TEXTURE_LOOKUPS};
 use blinn_phong::scenes::brute_force;
-use common::chapter::{Chapter, Defaults, Failure, SceneName};
+use common::chapter::{Chapter, Defaults, Entry, Failure, SceneName};
 use common::cost::Experiment;
 use common::film::Film;
 use common::hard::Case;
@@ -24,6 +24,9 @@ use crate::{cost, hard};
 
 /// Chapter 6's program.
 pub struct Whitted;
+
+/// The same as a value, compiled here once for all who run it.
+pub static PROGRAM: Entry = Entry::of::<Whitted>();
 
 /// A scene, and how far rays are followed through it.
 pub struct Prepared {

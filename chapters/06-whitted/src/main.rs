@@ -2,8 +2,6 @@
 
 use std::process::ExitCode;
 
-use whitted::command::Whitted;
-
 fn main() -> ExitCode {
-    common::chapter::main::<Whitted>()
+    common::chapter::main(&whitted::command::PROGRAM)
 }

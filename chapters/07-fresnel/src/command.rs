@@ -1,7 +1,7 @@
 //! The program.
 
 use blinn_phong::scenes::brute_force;
-use common::chapter::{Chapter, Defaults, Failure, SceneName};
+use common::chapter::{Chapter, Defaults, Entry, Failure, SceneName};
 use common::cost::Experiment;
 use common::film::Film;
 use common::hard::Case;
@@ -25,6 +25,9 @@ use crate::{cost, hard};
 
 /// Chapter 7's program.
 pub struct Fresnel;
+
+/// The same as a value, compiled here once for all who run it.
+pub static PROGRAM: Entry = Entry::of::<Fresnel>();
 
 /// What there is to draw.
 pub enum Subject {

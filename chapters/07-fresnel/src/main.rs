@@ -3,5 +3,5 @@
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
-    common::chapter::main::<fresnel::command::Fresnel>()
+    common::chapter::main(&fresnel::command::PROGRAM)
 }

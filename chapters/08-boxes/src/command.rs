@@ -3,7 +3,7 @@
 use std::io::Write;
 
 use clap::Args;
-use common::chapter::{Chapter, Defaults, Failure, SceneName};
+use common::chapter::{Chapter, Defaults, Entry, Failure, SceneName};
 use common::cost::Experiment;
 use common::film::Film;
 use common::hard::Case;
@@ -27,6 +27,9 @@ use crate::{cost, hard};
 
 /// Chapter 8.
 pub struct Boxes;
+
+/// The same as a value, compiled here once for all who run it.
+pub static PROGRAM: Entry = Entry::of::<Boxes>();
 
 /// The chapter's own options.
 #[derive(Clone, Debug, Args)]

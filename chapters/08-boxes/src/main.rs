@@ -2,8 +2,6 @@
 
 use std::process::ExitCode;
 
-use boxes::command::Boxes;
-
 fn main() -> ExitCode {
-    common::chapter::main::<Boxes>()
+    common::chapter::main(&boxes::command::PROGRAM)
 }

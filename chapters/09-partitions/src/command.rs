@@ -3,7 +3,7 @@
 use std::io::Write;
 
 use clap::Args;
-use common::chapter::{Chapter, Defaults, Failure, SceneName};
+use common::chapter::{Chapter, Defaults, Entry, Failure, SceneName};
 use common::cost::Experiment;
 use common::hard::Case;
 use common::plan::{Call, Effect, Plan, Skill};
@@ -32,6 +32,9 @@ use crate::{cost, hard, heat};
 
 /// Chapter 9.
 pub struct Partitions;
+
+/// The same as a value, compiled here once for all who run it.
+pub static PROGRAM: Entry = Entry::of::<Partitions>();
 
 /// The chapter's own options.
 #[derive(Clone, Debug, Args)]

@@ -2,8 +2,6 @@
 
 use std::process::ExitCode;
 
-use partitions::command::Partitions;
-
 fn main() -> ExitCode {
-    common::chapter::main::<Partitions>()
+    common::chapter::main(&partitions::command::PROGRAM)
 }

@@ -2,7 +2,7 @@
 
 use blinn_phong::picture::{LIGHT_SAMPLES, SHADING_POINTS, TEXTURE_LOOKUPS};
 use boxes::slab::BOX_TESTS;
-use common::chapter::{Chapter, Defaults, Failure, OwnCommand, SceneName};
+use common::chapter::{Chapter, Defaults, Entry, Failure, OwnCommand, SceneName};
 use common::cost::Experiment;
 use common::hard::Case;
 use common::plan::{Call, Effect, Plan, Skill};
@@ -29,6 +29,9 @@ use crate::{cost, hard, headline};
 
 /// Chapter 10's program.
 pub struct Hierarchies;
+
+/// The same as a value, compiled here once for all who run it.
+pub static PROGRAM: Entry = Entry::of::<Hierarchies>();
 
 impl Chapter for Hierarchies {
     const ID: &'static str = "10-bvh";

@@ -3,5 +3,5 @@
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
-    common::chapter::main::<bvh::command::Hierarchies>()
+    common::chapter::main(&bvh::command::PROGRAM)
 }
