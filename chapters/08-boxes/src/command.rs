@@ -1,7 +1,5 @@
 //! What the chapter's program does.
 
-use std::io::Write;
-
 use clap::Args;
 use common::chapter::{Chapter, Defaults, Entry, Failure, SceneName};
 use common::cost::Experiment;
@@ -71,6 +69,7 @@ pub struct Stage {
     boxes: Vec<Aabb>,
     camera: Camera,
     calls: Vec<Call>,
+    warnings: Vec<String>,
 }
 
 impl Chapter for Boxes {
@@ -91,17 +90,17 @@ impl Chapter for Boxes {
     fn build(name: &str, knobs: &Knobs) -> Result<Stage, Failure> {
         let MeshScene { mesh, mut view, warnings, calls, .. } =
             MeshScene::with_normals(name, knobs.normals)?;
-        for warning in &warnings {
-            // Nobody is left to tell when standard error is closed.
-            let _told = writeln!(std::io::stderr(), "warning: {warning}");
-        }
         knobs.aim.apply(&mut view);
         let camera = Camera::new(&view, 1, 1);
         let camera = camera.map_err(|error| Failure::Usage(format!("no picture: {error}")))?;
         let corners = mesh.all_corners();
         let parts = Parts::new(&corners, knobs.boxes as usize);
         let boxes = parts.boxes().copied().collect();
-        Ok(Stage { mesh, all: Packed::new(corners), parts, boxes, camera, calls })
+        Ok(Stage { mesh, all: Packed::new(corners), parts, boxes, camera, calls, warnings })
+    }
+
+    fn warnings(stage: &Stage) -> &[String] {
+        &stage.warnings
     }
 
     fn calls(stage: &Stage, knobs: &Knobs) -> Vec<Call> {

@@ -1,7 +1,5 @@
 //! What the chapter's program does.
 
-use std::io::Write;
-
 use clap::Args;
 use common::chapter::{Chapter, Defaults, Entry, Failure, SceneName};
 use common::cost::Experiment;
@@ -87,6 +85,7 @@ pub struct Stage {
     camera: Camera,
     depths: Depths,
     calls: Vec<Call>,
+    warnings: Vec<String>,
 }
 
 impl Chapter for Partitions {
@@ -116,16 +115,16 @@ impl Chapter for Partitions {
     fn build(name: &str, knobs: &Knobs) -> Result<Stage, Failure> {
         let MeshScene { mesh, mut view, warnings, calls, .. } =
             MeshScene::with_normals(name, knobs.normals)?;
-        for warning in &warnings {
-            // Nobody is left to tell when standard error is closed.
-            let _told = writeln!(std::io::stderr(), "warning: {warning}");
-        }
         knobs.aim.apply(&mut view);
         let camera = Camera::new(&view, 1, 1);
         let camera = camera.map_err(|error| Failure::Usage(format!("no picture: {error}")))?;
         let depths = Depths::of(&mesh, view.eye);
         let structure = Structure::over(&mesh, knobs);
-        Ok(Stage { mesh, structure, camera, depths, calls })
+        Ok(Stage { mesh, structure, camera, depths, calls, warnings })
+    }
+
+    fn warnings(stage: &Stage) -> &[String] {
+        &stage.warnings
     }
 
     fn calls(stage: &Stage, knobs: &Knobs) -> Vec<Call> {
