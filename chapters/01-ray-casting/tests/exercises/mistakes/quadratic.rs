@@ -108,11 +108,21 @@ pub(crate) fn of_roots() -> Vec<Mistake<Quadratic, Option<[f32; 2]>>> {
         Mistake {
             name: "not in order",
             diagnosis: "Which of q / a and c / q is the smaller depends on the sign of h. Compare \
-                        them before you return them.",
+                        them before you return them: see 'Two roots, no subtraction'.",
             answer: |case| {
                 let root = (case.h * case.h - case.a * case.c).sqrt();
                 let q = -(case.h + root.copysign(case.h));
                 Some([q / case.a, case.c / q]).filter(|_| !root.is_nan())
+            },
+        },
+        Mistake {
+            name: "in the wrong order",
+            diagnosis: "c / q is the smaller one only where h is below 0. Compare the two before \
+                        you return them: see 'Two roots, no subtraction'.",
+            answer: |case| {
+                let root = (case.h * case.h - case.a * case.c).sqrt();
+                let q = -(case.h + root.copysign(case.h));
+                Some([case.c / q, q / case.a]).filter(|_| !root.is_nan())
             },
         },
         Mistake {
