@@ -36,6 +36,8 @@ pub fn svg(tables: &[Table]) -> Result<String, ChartError> {
         for (panel, table) in area.split_evenly((tables.len(), 1)).iter().zip(tables) {
             draw(panel, table).map_err(|error| ChartError(error.to_string()))?;
         }
+        // Once, after the last panel: this ends the file.
+        area.present().map_err(|error| ChartError(error.to_string()))?;
     }
     Ok(text.replace("#000000", "currentColor"))
 }
@@ -123,7 +125,6 @@ fn draw(panel: &Panel, table: &Table) -> Result<(), DrawError> {
         .label_font(("sans-serif", 13))
         .border_style(BLACK.mix(0.3))
         .draw()?;
-    panel.present()?;
     Ok(())
 }
 
@@ -153,4 +154,39 @@ fn series(table: &Table) -> Vec<String> {
         }
     }
     names
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::{Plot, Row, Table, Time};
+    use super::svg;
+
+    fn table(plot: Plot) -> Table {
+        let row = |label: &str, error: f64, median: f64| Row {
+            label: label.into(),
+            series: "one",
+            size: median,
+            work: 1000,
+            error,
+            time: Time { median, low: median, high: median },
+        };
+        Table {
+            name: "test",
+            title: "A test",
+            work_unit: "tests",
+            error_metric: "nothing",
+            plot,
+            rows: vec![row("fast", 0.0, 3.1), row("slow", 0.25, 4.9)],
+            note: String::new(),
+        }
+    }
+
+    #[test]
+    fn several_tables_make_one_whole_picture() {
+        let tables = [Plot::ErrorOverTime("error"), Plot::TimeOver("size")].map(table);
+        let text = svg(&tables).expect("it can be drawn");
+        assert_eq!(text.matches("</svg>").count(), 1);
+        assert!(text.trim_end().ends_with("</svg>"), "{text}");
+        assert!(text.contains("\n0\n"), "the label of no error: {text}");
+    }
 }
