@@ -168,12 +168,12 @@ pub(crate) fn near_point() -> Vec<Mistake<Cut, [FilmPoint; 2]>> {
         Mistake {
             name: "in the order they come, mixed",
             diagnosis: ORDER,
-            answer: |cut| {
-                cut.both(|a, b, near| {
-                    let share = (near - a.w) / (b.w - a.w);
-                    ((1.0 - share) * a.vector() + share * b.vector()).into()
-                })
-            },
+            answer: |cut| cut.both(mixed),
+        },
+        Mistake {
+            name: "in the order they come, mixed, on the plane",
+            diagnosis: ORDER,
+            answer: |cut| cut.both(|a, b, near| FilmPoint { w: near, ..mixed(a, b, near) }),
         },
         Mistake {
             name: "the share of the other end",
@@ -218,6 +218,12 @@ pub(crate) fn near_point() -> Vec<Mistake<Cut, [FilmPoint; 2]>> {
 fn printed(a: FilmPoint, b: FilmPoint, near: f64) -> FilmPoint {
     let share = (near - a.w) / (b.w - a.w);
     (a.vector() + share * (b.vector() - a.vector())).into()
+}
+
+/// The same as a mean of both ends.
+fn mixed(a: FilmPoint, b: FilmPoint, near: f64) -> FilmPoint {
+    let share = (near - a.w) / (b.w - a.w);
+    ((1.0 - share) * a.vector() + share * b.vector()).into()
 }
 
 /// Of exercise 3.4.
