@@ -31,7 +31,8 @@ enum Command {
     },
     /// Say how far each exercise is, and which is the next
     Exercises {
-        /// A chapter, such as 1, 01-ray-casting or ray-casting; all if not said
+        /// A chapter, such as 1, 01-ray-casting or ray-casting, or one of its exercises, such as
+        /// 1.2; all if not said
         #[arg(value_name = "NN")]
         chapter: Option<String>,
     },

@@ -63,7 +63,12 @@ pub fn run(
 
 fn choose<'a>(chapters: &'a [&'a Entry], name: Option<&str>) -> Result<Vec<&'a Entry>, Trouble> {
     let Some(name) = name else { return Ok(chapters.to_vec()) };
-    chapters::find(chapters, name).map(|entry| vec![entry]).ok_or_else(|| {
+    // An exercise's number stands for its chapter: all of them are judged in the same run.
+    let chapter = match name.split_once('.') {
+        Some((chapter, exercise)) if exercise.parse::<u32>().is_ok() => chapter,
+        _ => name,
+    };
+    chapters::find(chapters, chapter).map(|entry| vec![entry]).ok_or_else(|| {
         let list: String = chapters.iter().map(|entry| format!("\n  {}", entry.id)).collect();
         Trouble::Usage(format!("there is no chapter '{name}'; there are:{list}"))
     })
@@ -217,6 +222,14 @@ mod tests {
         let refused = choose(CHAPTERS, Some("08")).map(|chosen| chosen.len());
         assert!(matches!(refused, Err(Trouble::Usage(list)) if list.contains("07-fake")));
         assert_eq!(choose(CHAPTERS, None).map(|chosen| chosen.len()).ok(), Some(1));
+    }
+
+    #[test]
+    fn an_exercise_stands_for_its_chapter() {
+        assert!(choose(CHAPTERS, Some("7.2")).is_ok_and(|chosen| chosen[0].id == "07-fake"));
+        for wrong in ["8.1", "7.", "7.x", ".2", "7.1.2"] {
+            assert!(choose(CHAPTERS, Some(wrong)).is_err(), "{wrong}");
+        }
     }
 
     #[test]

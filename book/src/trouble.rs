@@ -64,7 +64,11 @@ impl Trouble {
             let code = if error.print().is_err() { 1 } else { error.exit_code() };
             return ExitCode::from(u8::try_from(code).unwrap_or(2));
         }
-        say(format_args!("error: {self}"));
+        match self {
+            // Who presses Ctrl-C has made no error.
+            Self::Interrupted => say(format_args!("{self}")),
+            _ => say(format_args!("error: {self}")),
+        }
         ExitCode::from(match self {
             Self::Usage(_) | Self::CommandLine(_) => 2,
             Self::Interrupted => interrupt::EXIT_CODE,

@@ -161,7 +161,7 @@ fn run<C: Chapter>(arguments: &[OsString], out: &mut dyn Write) -> Result<ExitCo
     let name = C::ID.split_once('-').map_or(C::ID, |(_number, name)| name);
     let own =
         C::COMMANDS.iter().map(|own| (own.options)(clap::Command::new(own.name)).about(own.about));
-    let command = Cli::<C::Knobs>::command()
+    let command = with_defaults::<C>(Cli::<C::Knobs>::command())
         .name(name)
         .bin_name(name)
         .about(C::ABOUT)
@@ -180,6 +180,23 @@ fn run<C: Chapter>(arguments: &[OsString], out: &mut dyn Write) -> Result<ExitCo
         Some(Command::Cost(args)) => costs::run::<C>(&args, out),
         Some(Command::Hard(args)) => hards::run::<C>(&args, out),
     }
+}
+
+/// Tells `--help` what this chapter does when an option is not given.
+fn with_defaults<C: Chapter>(command: clap::Command) -> clap::Command {
+    let Defaults { scene, width, height, spp } = C::DEFAULTS;
+    let defaults = [
+        ("scene", scene.to_string()),
+        ("size", format!("{width}x{height}")),
+        ("spp", spp.to_string()),
+        ("out", default_path(C::ID, "png").display().to_string()),
+    ];
+    defaults.into_iter().fold(command, |command, (option, default)| {
+        command.mut_arg(option, |arg| {
+            let help = arg.get_help().map(ToString::to_string).unwrap_or_default();
+            arg.help(format!("{help} [default: {default}]"))
+        })
+    })
 }
 
 /// The built-in scenes, one a line.

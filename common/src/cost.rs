@@ -5,6 +5,8 @@
 //! so that a machine whose speed drifts is fair to all of them.
 
 #[cfg(feature = "native")]
+mod axis;
+#[cfg(feature = "native")]
 pub mod chart;
 #[cfg(feature = "native")]
 mod measure;

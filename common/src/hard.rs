@@ -28,6 +28,9 @@ pub struct Case {
 /// The most trials of a case that draws its inputs at random.
 pub const UNLIMITED: u64 = u64::MAX;
 
+/// How often a case without a limit has to be tried before its naive formula must have failed.
+pub const ENOUGH: u64 = 1_000_000;
+
 /// The outcome of one case.
 #[derive(Clone, Debug, PartialEq, Eq, serde::Serialize)]
 pub struct Row {
@@ -43,6 +46,9 @@ pub struct Row {
     pub naive_failures: u64,
     /// How many the robust formula got wrong; it must be none.
     pub robust_failures: u64,
+    /// Whether it was tried as often as the ledger asks: all of its table, or a million inputs.
+    #[serde(skip)]
+    pub complete: bool,
 }
 
 impl Case {
@@ -56,6 +62,7 @@ impl Case {
             trials,
             naive_failures: count(trials, self.naive_fails),
             robust_failures: count(trials, self.robust_fails),
+            complete: trials >= ENOUGH.min(self.most),
         }
     }
 }
@@ -92,6 +99,20 @@ impl Ledger {
     pub fn broken(&self) -> Vec<&Row> {
         self.0.iter().filter(|row| !row.holds()).collect()
     }
+
+    /// The broken rows that more trials can't mend: the robust formula failed, or the naive one did
+    /// not in as many trials as the ledger asks for.
+    pub fn refuted(&self) -> Vec<&Row> {
+        let refuted = |row: &&Row| row.complete || row.robust_failures > 0;
+        self.broken().into_iter().filter(refuted).collect()
+    }
+
+    /// The broken rows that may hold after all: they were tried too seldom for the naive formula to
+    /// fail.
+    pub fn unfinished(&self) -> Vec<&Row> {
+        let unfinished = |row: &&Row| !row.complete && row.robust_failures == 0;
+        self.broken().into_iter().filter(unfinished).collect()
+    }
 }
 
 impl fmt::Display for Ledger {
@@ -111,7 +132,7 @@ impl fmt::Display for Ledger {
 
 #[cfg(test)]
 mod tests {
-    use super::{Case, Ledger, UNLIMITED};
+    use super::{Case, ENOUGH, Ledger, UNLIMITED};
 
     const CASE: Case = Case {
         id: "TT-01",
@@ -139,5 +160,19 @@ mod tests {
         let tame = Case { naive_fails: |_| false, ..CASE };
         let flawed = Case { robust_fails: |trial| trial == 7, ..CASE };
         assert_eq!(Ledger::of(&[CASE, tame, flawed], 10).broken().len(), 2);
+        assert_eq!(Ledger::of(&[CASE, tame, flawed], ENOUGH).refuted().len(), 2);
+        let table = Case { most: 10, ..tame };
+        assert_eq!(Ledger::of(&[table], 20).refuted().len(), 1, "a table that was run whole");
+    }
+
+    #[test]
+    fn too_few_trials_are_no_failure_of_the_case() {
+        let rare = Case { naive_fails: |trial| trial == 50, ..CASE };
+        let flawed = Case { robust_fails: |trial| trial == 7, ..rare };
+        let table = Case { most: 60, ..rare };
+        let few = Ledger::of(&[CASE, rare, flawed, table], 10);
+        assert_eq!((few.refuted().len(), few.unfinished().len()), (1, 2));
+        let more = Ledger::of(&[CASE, rare, table], 100);
+        assert_eq!((more.refuted().len(), more.unfinished().len()), (0, 0));
     }
 }

@@ -118,7 +118,7 @@ fn is_mesh(name: &str) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use common::chapter::{Chapter, Failure};
+    use common::chapter::{Chapter, Entry, Failure};
     use common::plan::{Plan, Simulate};
     use common::render::Settings;
     use common::tally::{Counts, Off};
@@ -190,6 +190,18 @@ mod tests {
             hash("whitted", &moved, Simulate::Needed),
             hash("whitted", &report, Simulate::Needed)
         );
+    }
+
+    #[test]
+    fn help_tells_the_defaults() {
+        let run = Entry::of::<RayCasting>().run;
+        let Err(Failure::CommandLine(help)) = run(&["--help".into()], &mut Vec::new()) else {
+            panic!("help is not a picture")
+        };
+        let text = help.to_string();
+        for default in ["whitted", "640x480", "1", "out/01-ray-casting.png"] {
+            assert!(text.contains(&format!("[default: {default}]")), "{default}: {text}");
+        }
     }
 
     #[test]

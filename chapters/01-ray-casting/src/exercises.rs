@@ -53,13 +53,13 @@ pub fn hit_disk(center: Vec3, normal: Vec3, radius: f32, ray: &Ray) -> Option<f3
     todo!("exercise 1.4")
 }
 
-/// Exercise 1.5, no digit lost: both roots of a t² + 2 h t + c = 0, the smaller first.
+/// Exercise 1.5, no digit lost: both roots of a t² + 2 h t + k = 0, the smaller first.
 ///
-/// `a` is above 0. None when there are no real roots. The discriminant h² - a c may be computed as
+/// `a` is above 0. None when there are no real roots. The discriminant h² - a k may be computed as
 /// it stands: in these cases it doesn't cancel. But each root must be right to 1 in 10^6, even when
 /// one is ten million times the other. See the section "Two roots, no subtraction".
-pub fn roots(a: f32, h: f32, c: f32) -> Option<[f32; 2]> {
-    let _ = (a, h, c);
+pub fn roots(a: f32, h: f32, k: f32) -> Option<[f32; 2]> {
+    let _ = (a, h, k);
     todo!("exercise 1.5")
 }
 

@@ -53,7 +53,8 @@ pub fn smooth_normal(normals: [Vec3; 3], weights: Vec3, geometric: Vec3) -> Vec3
 ///
 /// It throws away triangles that can be seen. Write it so that it is right for triangles from
 /// 10^-30 to 10^30 across: true exactly when the corners are not in line. In the tests they are
-/// either far from in line, or in line to the last bit.
+/// either far from in line, or in line to the last bit. So `f64` is enough here. The chapter's own
+/// `has_area` does more, for corners that are nearly in line: there `f64` rounds, too.
 ///
 /// See "Triangles without area" on the chapter's page.
 pub fn has_area(corners: [Vec3; 3]) -> bool {
@@ -64,7 +65,8 @@ pub fn has_area(corners: [Vec3; 3]) -> bool {
 /// Exercise 2.5: is this mesh closed?
 ///
 /// True when each edge of each triangle has exactly one partner: an edge of another triangle that
-/// runs between the same two vertices the other way. Three numbers a triangle, as in
+/// runs between the same two vertices the other way. The chapter's `edges_without_partner` asks for
+/// less: it lets an edge have two partners if there are as many one way as the other. Three numbers a triangle, as in
 /// [`Mesh`](crate::mesh::Mesh). A mesh without triangles is closed.
 ///
 /// See "Watertight" on the chapter's page.

@@ -61,7 +61,9 @@ impl MeshScene {
             return Ok(Self::built_in(two_triangles(), TWO_TRIANGLES_VIEW, normals));
         }
         if let Some(count) = name.strip_prefix("sphere:") {
-            return Ok(Self::built_in(bumpy::sphere(sphere_size(count)?), SPHERE_VIEW, normals));
+            let size = sphere_size(count)?;
+            let scene = Self::built_in(bumpy::sphere(size), SPHERE_VIEW, normals);
+            return Ok(Self { warnings: odd(size), ..scene });
         }
         if is_file(name) {
             return from_file(Path::new(name), normals);
@@ -108,6 +110,15 @@ fn failure(error: obj::ObjError) -> Failure {
 fn too_large(path: &Path) -> Failure {
     let path = path.display();
     Failure::Work(format!("{path}: the mesh is too large to step back from; make it smaller"))
+}
+
+/// What to say when a sphere gets one triangle more than was asked for.
+fn odd(size: u32) -> Vec<String> {
+    let text = || {
+        let more = size + 1;
+        format!("sphere:{size} has {more} triangles: every closed mesh has an even number of them")
+    };
+    if size.is_multiple_of(2) { Vec::new() } else { vec![text()] }
 }
 
 /// The number of triangles in "sphere:N".
@@ -183,6 +194,9 @@ mod tests {
         assert_eq!(effects(&flat), [Effect::PrimaryVisibility]);
         let sphere = MeshScene::named("sphere:1000").expect("it is built in");
         assert_eq!(sphere.mesh.triangles.len(), 1000);
+        assert!(sphere.warnings.is_empty());
+        let odd = MeshScene::named("sphere:7").expect("it is built in");
+        assert!(odd.warnings[0].contains("has 8 triangles"), "{:?}", odd.warnings);
         assert!(MeshScene::named("two-triangles").is_ok());
     }
 

@@ -59,7 +59,8 @@ pub fn near_point(a: FilmPoint, b: FilmPoint, near: f64) -> FilmPoint {
 ///
 /// Draws triangles on a film of `width` by `height` pixels that is black at first. Each pixel takes
 /// one sample at its centre. A sample that triangle number k is nearest at gets the colour
-/// `exercises::color_of(k)`; of two equally near ones the first counts.
+/// `exercises::color_of(k)`; of two equally near ones the first counts. `film.pixel_mut(x, y)` is the
+/// pixel to write: `*film.pixel_mut(x, y) = color_of(k)`.
 ///
 /// All corners lie before the eye (w > 0), and corners may come in either order around their
 /// triangle. No sample lies on an edge. You may use what the chapter has: `Fixed::snap`, `edges`,

@@ -1,11 +1,12 @@
 //! Tables as plots: SVG with labelled axes, in colours that can be read in light and in dark.
 
 use plotters::prelude::{
-    ChartBuilder, Circle, DrawingArea, EmptyElement, IntoDrawingArea, IntoLogRange, LineSeries,
-    PathElement, SVGBackend, SeriesLabelPosition, Text,
+    BindKeyPoints, ChartBuilder, Circle, DrawingArea, EmptyElement, IntoDrawingArea, IntoLogRange,
+    LineSeries, PathElement, SVGBackend, SeriesLabelPosition,
 };
 use plotters::style::{BLACK, Color, IntoFont, RGBColor, TRANSPARENT};
 
+use super::axis::Axis;
 use super::{Plot, Row, Table};
 
 /// Each series has a colour of its own (Okabe and Ito's palette, told apart by the colour-blind).
@@ -23,9 +24,6 @@ const PALETTE: [RGBColor; 7] = [
 const WIDTH: u32 = 720;
 const HEIGHT: u32 = 420;
 
-/// An error of 0 has no place on a logarithmic axis; it is drawn this far below the others.
-const BELOW: f64 = 0.1;
-
 /// One plot a table, one below the other.
 ///
 /// Lines and words have the colour of the text around the picture, so it can be set into a light
@@ -38,6 +36,8 @@ pub fn svg(tables: &[Table]) -> Result<String, ChartError> {
         for (panel, table) in area.split_evenly((tables.len(), 1)).iter().zip(tables) {
             draw(panel, table).map_err(|error| ChartError(error.to_string()))?;
         }
+        // Once, after the last panel: this ends the file.
+        area.present().map_err(|error| ChartError(error.to_string()))?;
     }
     Ok(text.replace("#000000", "currentColor"))
 }
@@ -77,15 +77,17 @@ fn axes(table: &Table) -> Axes {
 
 fn draw(panel: &Panel, table: &Table) -> Result<(), DrawError> {
     let axes = axes(table);
-    let x_range = span(table.rows.iter().map(axes.x));
-    let y_range = span(table.rows.iter().map(axes.y));
-    let floor = y_range.start;
+    let across = Axis::of(table.rows.iter().map(axes.x), 0.1);
+    let upwards = Axis::of(table.rows.iter().map(axes.y), 0.07);
+    let x_range = across.range.clone().log_scale().with_key_points(across.ticks.clone());
+    let y_range = upwards.range.clone().log_scale().with_key_points(upwards.ticks.clone());
+    let floor = upwards.range.start;
     let mut chart = ChartBuilder::on(panel)
         .caption(table.title, ("sans-serif", 18).into_font())
         .margin(12)
         .x_label_area_size(48)
         .y_label_area_size(84)
-        .build_cartesian_2d(x_range.log_scale(), y_range.log_scale())?;
+        .build_cartesian_2d(x_range, y_range)?;
     chart
         .configure_mesh()
         .x_desc(&axes.x_label)
@@ -94,8 +96,8 @@ fn draw(panel: &Panel, table: &Table) -> Result<(), DrawError> {
         .label_style(("sans-serif", 12))
         .light_line_style(TRANSPARENT)
         .bold_line_style(BLACK.mix(0.15))
-        .x_label_formatter(&|value| tick(*value))
-        .y_label_formatter(&|value| tick(*value))
+        .x_label_formatter(&|value| across.label(*value))
+        .y_label_formatter(&|value| upwards.label(*value))
         .draw()?;
     for (index, series) in series(table).into_iter().enumerate() {
         let color = PALETTE[index % PALETTE.len()];
@@ -115,12 +117,7 @@ fn draw(panel: &Panel, table: &Table) -> Result<(), DrawError> {
                 let line = PathElement::new([(0, 0), (18, 0)], color.stroke_width(1));
                 EmptyElement::at(place) + line + Circle::new((9, 0), 4, dot)
             });
-        chart.draw_series(points.iter().map(|&point| {
-            let note = if point.1 <= floor { "0" } else { "" };
-            EmptyElement::at(point)
-                + Circle::new((0, 0), 4, dot)
-                + Text::new(note, (6, -6), ("sans-serif", 12))
-        }))?;
+        chart.draw_series(points.iter().map(|&point| Circle::new(point, 4, dot)))?;
     }
     chart
         .configure_series_labels()
@@ -128,7 +125,6 @@ fn draw(panel: &Panel, table: &Table) -> Result<(), DrawError> {
         .label_font(("sans-serif", 13))
         .border_style(BLACK.mix(0.3))
         .draw()?;
-    panel.present()?;
     Ok(())
 }
 
@@ -160,41 +156,37 @@ fn series(table: &Table) -> Vec<String> {
     names
 }
 
-/// The range of a logarithmic axis, with room at both ends and one step below for zeros.
-fn span(values: impl Iterator<Item = f64> + Clone) -> std::ops::Range<f64> {
-    let positive = values.clone().filter(|value| *value > 0.0 && value.is_finite());
-    let low = positive.clone().fold(f64::INFINITY, f64::min);
-    let high = positive.fold(0.0, f64::max);
-    if high == 0.0 {
-        return 0.1..10.0;
-    }
-    let zeros = values.into_iter().any(|value| value <= 0.0);
-    let start = if zeros { low * BELOW } else { low / 1.6 };
-    start..high * 2.5
-}
-
-/// A short label for a tick.
-fn tick(value: f64) -> String {
-    if !(0.01..100_000.0).contains(&value) {
-        return format!("{value:.0e}");
-    }
-    // plotters adds its steps up, so that three times 0.1 comes as 0.30000000000000004.
-    format!("{value:.4}").trim_end_matches('0').trim_end_matches('.').to_owned()
-}
-
 #[cfg(test)]
 mod tests {
-    use super::{span, tick};
+    use super::super::{Plot, Row, Table, Time};
+    use super::svg;
 
-    #[test]
-    fn zeros_get_a_place_below_the_smallest_error() {
-        let range = span([0.0, 0.5, 2.0].into_iter());
-        assert!(range.start < 0.5 * 0.11 && range.end > 2.0);
+    fn table(plot: Plot) -> Table {
+        let row = |label: &str, error: f64, median: f64| Row {
+            label: label.into(),
+            series: "one",
+            size: median,
+            work: 1000,
+            error,
+            time: Time { median, low: median, high: median },
+        };
+        Table {
+            name: "test",
+            title: "A test",
+            work_unit: "tests",
+            error_metric: "nothing",
+            plot,
+            rows: vec![row("fast", 0.0, 3.1), row("slow", 0.25, 4.9)],
+            note: String::new(),
+        }
     }
 
     #[test]
-    fn ticks_are_short() {
-        assert_eq!((tick(0.1), tick(1e-7)), ("0.1".into(), "1e-7".into()));
-        assert_eq!((tick(0.1 + 0.2), tick(20_000.0)), ("0.3".into(), "20000".into()));
+    fn several_tables_make_one_whole_picture() {
+        let tables = [Plot::ErrorOverTime("error"), Plot::TimeOver("size")].map(table);
+        let text = svg(&tables).expect("it can be drawn");
+        assert_eq!(text.matches("</svg>").count(), 1);
+        assert!(text.trim_end().ends_with("</svg>"), "{text}");
+        assert!(text.contains("\n0\n"), "the label of no error: {text}");
     }
 }

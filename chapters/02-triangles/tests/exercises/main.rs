@@ -278,11 +278,37 @@ fn exercise_2_4() -> Result<(), Failure> {
                 answer: mistakes::area_squared,
             },
             Mistake {
+                name: "the squared length above 0",
+                diagnosis: "The square of the cross product's length is of the fourth order in the \
+                    triangle's size: below 10^-12 it is 0 in f32. See \"Triangles without area\".",
+                answer: mistakes::area_squared_above,
+            },
+            Mistake {
                 name: "components in f32",
                 diagnosis: "You ask the components of the cross product, which is better by a \
                     square root. But they are products of two lengths, still in f32: below 10^-23 \
                     they are 0. An f64 holds any product of two f32.",
                 answer: mistakes::area_components,
+            },
+            Mistake {
+                name: "components in f32 above 0",
+                diagnosis: "You ask the components of the cross product, which is better by a \
+                    square root. But they are products of two lengths, still in f32: below 10^-23 \
+                    they are 0. An f64 holds any product of two f32.",
+                answer: mistakes::area_components_above,
+            },
+            Mistake {
+                name: "components in f32 without their sign",
+                diagnosis: "You ask whether a component of the cross product is above 0. One below \
+                    0 is as good: the triangle faces the other way. And the products are still in \
+                    f32: below 10^-23 they are 0. An f64 holds any product of two f32.",
+                answer: mistakes::area_positive,
+            },
+            Mistake {
+                name: "only components above 0",
+                diagnosis: "You ask whether a component of the cross product is above 0. One below \
+                    0 is as good: the triangle faces the other way.",
+                answer: mistakes::area_positive_in_f64,
             },
             Mistake {
                 name: "an absolute epsilon",
@@ -312,7 +338,9 @@ fn thin_and_thick() -> Vec<([Vec3; 3], bool)> {
         let start = (20.0 * point(&mut stream)).round();
         let step = (20.0 * point(&mut stream)).round() + Vec3::new(0.0, 0.0, 100.0);
         let in_line = trial.is_multiple_of(3);
-        let aside = if in_line { Vec3::ZERO } else { Vec3::new(7.0, 30.0, 0.0) };
+        // To both sides, so that every sign of the cross product's components comes up.
+        let right = if trial.is_multiple_of(2) { 7.0 } else { -7.0 };
+        let aside = if in_line { Vec3::ZERO } else { Vec3::new(right, 30.0, 0.0) };
         let corners = [start, start + step, start + 4.0 * step + aside];
         (corners.map(|corner| scale * corner), !in_line)
     };
@@ -345,6 +373,13 @@ fn exercise_2_5() -> Result<(), Failure> {
                     edge, three triangles meet there, and one of them is a wall that nothing \
                     continues.",
                 answer: mistakes::closed_loosely,
+            },
+            Mistake {
+                name: "edges that cancel",
+                diagnosis: "You let edges cancel: an edge used twice each way is balanced, but it \
+                    has more than one partner. The listing in \"Watertight\" asks for the balance; \
+                    here each edge may be used once each way.",
+                answer: mistakes::closed_by_balance,
             },
             Mistake {
                 name: "Euler's formula",

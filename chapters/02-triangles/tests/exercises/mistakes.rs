@@ -2,7 +2,8 @@
 
 use std::collections::{HashMap, HashSet};
 
-use glam::Vec3;
+use glam::{DVec3, Vec3};
+use triangles::closed::edges_without_partner;
 
 use crate::{Blend, Edge, Question};
 
@@ -108,6 +109,23 @@ pub(crate) fn area_components((corners, _): &([Vec3; 3], bool)) -> bool {
     cross(corners) != Vec3::ZERO
 }
 
+pub(crate) fn area_squared_above((corners, _): &([Vec3; 3], bool)) -> bool {
+    cross(corners).length_squared() > 0.0
+}
+
+pub(crate) fn area_components_above((corners, _): &([Vec3; 3], bool)) -> bool {
+    cross(corners).abs().cmpgt(Vec3::ZERO).any()
+}
+
+pub(crate) fn area_positive((corners, _): &([Vec3; 3], bool)) -> bool {
+    cross(corners).cmpgt(Vec3::ZERO).any()
+}
+
+pub(crate) fn area_positive_in_f64((corners, _): &([Vec3; 3], bool)) -> bool {
+    let [a, b, c] = corners.map(|corner| corner.as_dvec3());
+    (b - a).cross(c - a).cmpgt(DVec3::ZERO).any()
+}
+
 pub(crate) fn area_epsilon((corners, _): &([Vec3; 3], bool)) -> bool {
     cross(corners).length() > 1e-6
 }
@@ -136,6 +154,10 @@ pub(crate) fn closed_undirected((triangles, _): &(Vec<[u32; 3]>, bool)) -> bool 
 pub(crate) fn closed_loosely((triangles, _): &(Vec<[u32; 3]>, bool)) -> bool {
     let edges: HashSet<[u32; 2]> = directed_edges(triangles).collect();
     edges.iter().all(|&[from, to]| edges.contains(&[to, from]))
+}
+
+pub(crate) fn closed_by_balance((triangles, _): &(Vec<[u32; 3]>, bool)) -> bool {
+    edges_without_partner(triangles) == 0
 }
 
 pub(crate) fn closed_by_count((triangles, _): &(Vec<[u32; 3]>, bool)) -> bool {

@@ -46,7 +46,59 @@ pub(crate) fn owns() -> Vec<Mistake<Edge, bool>> {
                 value > 0 || (value == 0 && (down < 0 || (down == 0 && right > 0)))
             },
         },
+        Mistake {
+            name: "32 bits, with a panic",
+            diagnosis: OVERFLOW,
+            answer: |edge| {
+                let value = narrow_value(edge);
+                value > 0 || (value == 0 && top_left(edge))
+            },
+        },
+        Mistake {
+            name: "32 bits and no fill rule",
+            diagnosis: OVERFLOW_AND_NO_RULE,
+            answer: |edge| narrow_value(edge) >= 0,
+        },
+        Mistake {
+            name: "differences in 32 bits",
+            diagnosis: OVERFLOW,
+            answer: |edge| {
+                let value = late_value(edge);
+                value > 0 || (value == 0 && top_left(edge))
+            },
+        },
+        Mistake {
+            name: "differences in 32 bits and no fill rule",
+            diagnosis: OVERFLOW_AND_NO_RULE,
+            answer: |edge| late_value(edge) >= 0,
+        },
     ]
+}
+
+const OVERFLOW: &str = "Your arithmetic overflows and panics: two points can be 2^31 steps apart, \
+                        and products reach 2^62. Convert to i64 before you subtract, not after it.";
+
+const OVERFLOW_AND_NO_RULE: &str = "You have two mistakes. Your arithmetic overflows: convert to i64 \
+                        before you subtract. And you keep every sample on the edge, as the \
+                        neighbour across it does: keep it only for a left or a top edge.";
+
+/// The difference of two coordinates in an i32, with the panic that a debug build has.
+fn narrow(from: i32, to: i32) -> i32 {
+    to.checked_sub(from).expect("the difference overflows")
+}
+
+/// The edge function in i32, with the panic that a debug build has.
+fn narrow_value(Edge { from, to, sample }: &Edge) -> i32 {
+    let product = |a: i32, b: i32| a.checked_mul(b).expect("the product overflows");
+    let first = product(narrow(from.x, to.x), narrow(from.y, sample.y));
+    let second = product(narrow(from.y, to.y), narrow(from.x, sample.x));
+    first.checked_sub(second).expect("the difference overflows")
+}
+
+/// The edge function with differences in i32 and products in i64.
+fn late_value(Edge { from, to, sample }: &Edge) -> i64 {
+    let late = |from: i32, to: i32| i64::from(narrow(from, to));
+    late(from.x, to.x) * late(from.y, sample.y) - late(from.y, to.y) * late(from.x, sample.x)
 }
 
 fn value(Edge { from, to, sample }: &Edge) -> i128 {
@@ -96,15 +148,32 @@ pub(crate) fn value_between() -> Vec<Mistake<Stretch, f64>> {
     ]
 }
 
+const ORDER: &str = "Your formula is right, but (a, b) and (b, a) round differently: the two \
+                        triangles at this edge get two points, and a sample can fall between them. \
+                        Always go from the inner end to the outer one.";
+
 /// Of exercise 3.3.
 pub(crate) fn near_point() -> Vec<Mistake<Cut, [FilmPoint; 2]>> {
     vec![
         Mistake {
             name: "in the order they come",
-            diagnosis: "Your formula is right, but (a, b) and (b, a) round differently: the two \
-                        triangles at this edge get two points, and a sample can fall between them. \
-                        Always go from the inner end to the outer one.",
+            diagnosis: ORDER,
             answer: |cut| cut.both(printed),
+        },
+        Mistake {
+            name: "in the order they come, on the plane",
+            diagnosis: ORDER,
+            answer: |cut| cut.both(|a, b, near| FilmPoint { w: near, ..printed(a, b, near) }),
+        },
+        Mistake {
+            name: "in the order they come, mixed",
+            diagnosis: ORDER,
+            answer: |cut| cut.both(mixed),
+        },
+        Mistake {
+            name: "in the order they come, mixed, on the plane",
+            diagnosis: ORDER,
+            answer: |cut| cut.both(|a, b, near| FilmPoint { w: near, ..mixed(a, b, near) }),
         },
         Mistake {
             name: "the share of the other end",
@@ -151,6 +220,12 @@ fn printed(a: FilmPoint, b: FilmPoint, near: f64) -> FilmPoint {
     (a.vector() + share * (b.vector() - a.vector())).into()
 }
 
+/// The same as a mean of both ends.
+fn mixed(a: FilmPoint, b: FilmPoint, near: f64) -> FilmPoint {
+    let share = (near - a.w) / (b.w - a.w);
+    ((1.0 - share) * a.vector() + share * b.vector()).into()
+}
+
 /// Of exercise 3.4.
 pub(crate) fn draw() -> Vec<Mistake<Draw, Film>> {
     vec![
@@ -159,6 +234,17 @@ pub(crate) fn draw() -> Vec<Mistake<Draw, Film>> {
             diagnosis: "You paint each triangle over what is there. Compare depths first: a sample \
                         keeps the nearest triangle, in whatever order they come.",
             answer: |case| paint(case, 0.5, |_, _, _| (1.0, true)),
+        },
+        Mistake {
+            name: "the last of equals wins",
+            diagnosis: "Of two triangles that are equally near, the second replaces the first in \
+                        your picture. Replace only what is farther: `>`, not `>=`.",
+            answer: |case| {
+                paint(case, 0.5, |corners, sample, best| {
+                    let inverse = inverse_depth(corners, sample);
+                    (inverse, inverse >= best)
+                })
+            },
         },
         Mistake {
             name: "the farthest one wins",

@@ -111,6 +111,17 @@ pub(crate) fn of_look_at_direction() -> Vec<Mistake<Seen, Vec3>> {
             },
         },
         Mistake {
+            name: "turned by half a turn",
+            diagnosis: "Your picture is upside down and mirrored: the order of a cross product \
+                        counts. Right is forward x up, and the camera's up is right x forward. See \
+                        'A camera anywhere'.",
+            answer: |seen| {
+                let forward = (seen.target - seen.eye).normalize();
+                let left = Vec3::Y.cross(forward).normalize();
+                along(seen, left, left.cross(forward), forward)
+            },
+        },
+        Mistake {
             name: "up is not at right angles",
             diagnosis: "You took +y for the camera's up axis. When the camera looks up or down it \
                         isn't at right angles to the line of sight: take right x forward. See 'A \

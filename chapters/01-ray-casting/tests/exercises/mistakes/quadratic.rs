@@ -44,7 +44,7 @@ pub(crate) fn of_hit_sphere() -> Vec<Mistake<Aim, Option<f32>>> {
         },
         Mistake {
             name: "4ac beside half of b",
-            diagnosis: "With h, half of the textbook's b, the discriminant is h² - ac: the 4 goes \
+            diagnosis: "With h, half of the textbook's b, the discriminant is h² - a k: the 4 goes \
                         away with the 2. See 'Where a ray meets a sphere'.",
             answer: |aim| {
                 let Quadratic { a, h, c } = coefficients(aim);
@@ -64,7 +64,7 @@ pub(crate) fn of_hit_sphere() -> Vec<Mistake<Aim, Option<f32>>> {
         },
         Mistake {
             name: "the radius isn't squared",
-            diagnosis: "The sphere is |p - c|² = r²: the radius belongs squared into c. See 'Where a \
+            diagnosis: "The sphere is |p - c|² = r²: the radius belongs squared into k. See 'Where a \
                         ray meets a sphere'.",
             answer: |aim| {
                 let (case, radius) = (coefficients(aim), aim.sphere.radius);
@@ -83,7 +83,7 @@ pub(crate) fn of_roots() -> Vec<Mistake<Quadratic, Option<[f32; 2]>>> {
             name: "the textbook's formula",
             diagnosis: "One of your roots is the difference of two numbers that nearly agree, and \
                         has lost most of its digits. Compute the other one first, and this one as \
-                        c / q: see 'Two roots, no subtraction'.",
+                        k / q: see 'Two roots, no subtraction'.",
             answer: |case| Some(textbook(case)).filter(|roots| !roots[0].is_nan()),
         },
         Mistake {
@@ -97,7 +97,7 @@ pub(crate) fn of_roots() -> Vec<Mistake<Quadratic, Option<[f32; 2]>>> {
         },
         Mistake {
             name: "the sign of zero is zero",
-            diagnosis: "Where h is 0 your sign is 0 too, q becomes 0, and c / q divides by it. \
+            diagnosis: "Where h is 0 your sign is 0 too, q becomes 0, and k / q divides by it. \
                         copysign has an answer for 0: see 'Two roots, no subtraction'.",
             answer: |case| {
                 let root = (case.h * case.h - case.a * case.c).sqrt();
@@ -107,12 +107,22 @@ pub(crate) fn of_roots() -> Vec<Mistake<Quadratic, Option<[f32; 2]>>> {
         },
         Mistake {
             name: "not in order",
-            diagnosis: "Which of q / a and c / q is the smaller depends on the sign of h. Compare \
-                        them before you return them.",
+            diagnosis: "Which of q / a and k / q is the smaller depends on the sign of h. Compare \
+                        them before you return them: see 'Two roots, no subtraction'.",
             answer: |case| {
                 let root = (case.h * case.h - case.a * case.c).sqrt();
                 let q = -(case.h + root.copysign(case.h));
                 Some([q / case.a, case.c / q]).filter(|_| !root.is_nan())
+            },
+        },
+        Mistake {
+            name: "in the wrong order",
+            diagnosis: "k / q is the smaller one only where h is below 0. Compare the two before \
+                        you return them: see 'Two roots, no subtraction'.",
+            answer: |case| {
+                let root = (case.h * case.h - case.a * case.c).sqrt();
+                let q = -(case.h + root.copysign(case.h));
+                Some([case.c / q, q / case.a]).filter(|_| !root.is_nan())
             },
         },
         Mistake {
