@@ -251,7 +251,7 @@ mod tests {
         write("08-1.json", "8.1", quiet);
         write("07-2.html", "7.2", quiet);
 
-        let verdicts = read(folder.path(), &CHAPTERS[0]).expect("they can be read");
+        let verdicts = read(folder.path(), CHAPTERS[0]).expect("they can be read");
         let numbers: Vec<&str> = verdicts.iter().map(|one| one.number.as_str()).collect();
         assert_eq!(numbers, ["7.2", "7.10"]);
         let text = told(&verdicts[0]);
