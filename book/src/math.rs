@@ -28,7 +28,17 @@ pub fn mathml(latex: &str, display: Display) -> Result<String, String> {
     let mut html = String::new();
     let events = events.into_iter().map(Ok::<_, std::convert::Infallible>);
     push_mathml(&mut html, events, config).map_err(|error| error.to_string())?;
-    Ok(guarded(&html))
+    Ok(guarded(&spaces_outside(html)))
+}
+
+/// Moves the space before a function out of its script: the parser writes it inside, where it takes
+/// the place of the base, and `\cos^n` after a product loses its exponent.
+fn spaces_outside(mut html: String) -> String {
+    const SPACE: &str = "<mspace width=\"0.1667em\" />";
+    for script in ["<msup>", "<msub>", "<msubsup>"] {
+        html = html.replace(&format!("{script}{SPACE}"), &format!("{SPACE}{script}"));
+    }
+    html
 }
 
 /// The reason without the picture of the place that follows it.
@@ -72,6 +82,14 @@ mod tests {
         assert!(
             block.is_ok_and(|html| html.contains("display=\"block\"") && html.contains("<mfrac"))
         );
+    }
+
+    #[test]
+    fn a_script_keeps_its_base_after_a_space() {
+        let power = mathml("x \\cos^n t", Display::Inline).expect("it can be read");
+        assert!(power.contains("<msup><mi>cos</mi><mi>n</mi></msup>"), "{power}");
+        let logarithm = mathml("2^{n \\log_2 c}", Display::Inline).expect("it can be read");
+        assert!(logarithm.contains("<msub><mi>log</mi><mn>2</mn></msub>"), "{logarithm}");
     }
 
     #[test]

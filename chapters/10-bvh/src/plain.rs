@@ -93,9 +93,15 @@ impl PlainBvh {
                 continue;
             }
             let [one, other] = node.children().map(|child| enter(child, question.limit(), tally));
-            let swap = one.zip(other).is_some_and(|(one, other)| other.1 < one.1);
             // What is put down last is taken up first.
-            waiting.extend(if swap { [one, other] } else { [other, one] }.into_iter().flatten());
+            match (one, other) {
+                (Some(one), Some(other)) => {
+                    let (near, far) = if other.1 < one.1 { (other, one) } else { (one, other) };
+                    waiting.push(far);
+                    waiting.push(near);
+                }
+                (one, other) => waiting.extend(one.or(other)),
+            }
         }
     }
     // ANCHOR_END: ordered
