@@ -39,6 +39,13 @@ pub fn no_note(_table: &Table) -> String {
     String::new()
 }
 
+/// A ratio of two times as words: "2.6 % less" or "11.9 % more".
+pub fn change(ratio: f64) -> String {
+    let percent = 100.0 * (ratio - 1.0);
+    let word = if percent < 0.0 { "less" } else { "more" };
+    format!("{:.1} % {word}", percent.abs())
+}
+
 /// What the plot of an experiment shows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Plot {

@@ -42,7 +42,8 @@ pub fn light_at(
 ///
 /// The point of the hit may be off by `hit.error` along each axis. The origin must be as far from
 /// the point, along `hit.geometric` and on the side of `direction`, as the surface may be, and no
-/// more than a few floats farther. See the section "As far as the point may be wrong".
+/// farther than by a thirty-second part and a few floats. See the section "As far as the point may
+/// be wrong".
 pub fn leave(hit: &Hit, direction: Vec3) -> Vec3 {
     let _ = (hit, direction);
     todo!("exercise 5.3")
@@ -51,9 +52,9 @@ pub fn leave(hit: &Hit, direction: Vec3) -> Vec3 {
 /// Exercise 5.4, find the mistake: whether the surface at `hit` sees a point `lamp`, in a scene of
 /// any size.
 ///
-/// `naive::report_visible` is the published line. It is wrong in two ways, of which one needs a
-/// scene that is small, the other one that is large. You may use [`crate::spawn::spawn`]. See the
-/// section "The report's line".
+/// `naive::report_visible` is the published line. Of the three things that are wrong with it two
+/// give wrong answers, where the scene is small or where it is large. You may use
+/// [`crate::spawn::spawn`]. See the section "The report's line".
 pub fn sees_lamp(shapes: &[Box<dyn Shape>], hit: &Hit, lamp: Vec3) -> bool {
     let _ = (shapes, hit, lamp);
     todo!("exercise 5.4")

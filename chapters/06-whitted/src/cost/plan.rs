@@ -91,9 +91,9 @@ fn method(
 
 fn note(table: &Table) -> String {
     let [by_hand, needed, all] = &table.rows[..] else { return String::new() };
-    let more = |row: &Row| 100.0 * (row.nanoseconds() / by_hand.nanoseconds() - 1.0);
+    let more = |row: &Row| common::cost::change(row.nanoseconds() / by_hand.nanoseconds());
     format!(
-        "Against the loop by hand, what is needed takes {:+.1} % of the time, and all {:+.1} %.",
+        "Against the loop by hand, what is needed takes {} time, and all takes {}.",
         more(needed),
         more(all)
     )

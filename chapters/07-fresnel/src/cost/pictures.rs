@@ -110,7 +110,7 @@ pub(super) fn branching() -> Option<Experiment<'static>> {
     let chances = [1, 4, 16, 64].map(|spp| {
         let limits = Limits { depth: 40, cutoff: 0.0 };
         let how = How { branching: Branching::One, limits, spp, ..EXACT };
-        sight.method(ONE, format!("{ONE}, {spp} samples"), how)
+        sight.method(ONE, format!("{ONE}, samples: {spp}"), how)
     });
     Some(Experiment {
         name: "branching",

@@ -104,11 +104,11 @@ fn method(
 fn note(table: &Table) -> String {
     let [hand, needed, all, glass_hand, glass] = &table.rows[..] else { return String::new() };
     let more = |row: &common::cost::Row, base: &common::cost::Row| {
-        100.0 * (row.nanoseconds() / base.nanoseconds() - 1.0)
+        common::cost::change(row.nanoseconds() / base.nanoseconds())
     };
     format!(
-        "Against the loop by hand: without glass, what is needed takes {:+.1} % of the time, and all \
-         {:+.1} %; with glass, what is needed {:+.1} %.",
+        "Against the loop by hand: without glass, what is needed takes {} time, and all takes {}; with \
+         glass, what is needed takes {}.",
         more(needed, hand),
         more(all, hand),
         more(glass, glass_hand)

@@ -113,6 +113,19 @@ pub(crate) fn of_sees_lamp() -> Vec<Mistake<Room, bool>> {
             },
         },
         Mistake {
+            name: "an epsilon before the lamp",
+            diagnosis: "Your ray starts well and ends a fixed distance before the lamp. That has a \
+                        unit, too: in a small scene it is all the way. A point lamp is no surface \
+                        that the ray could hit: t below 1 will do. See 'The report's line'.",
+            answer: |room| {
+                let (hit, lamp) = (room.hit(), room.lamp());
+                let origin = spawn(&hit, lamp - hit.point);
+                let distance = (lamp - origin).length();
+                let ray = Ray { origin, direction: (lamp - origin) / distance };
+                !room.shapes().iter().any(|shape| shape.is_hit(&ray, distance - 1e-4))
+            },
+        },
+        Mistake {
             name: "the last twentieth is skipped",
             diagnosis: "You end the ray well before the lamp, so that a ball close to it hides \
                         nothing. A point lamp is no surface that the ray could hit: t below 1 will \

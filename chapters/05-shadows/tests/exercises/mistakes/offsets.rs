@@ -50,8 +50,8 @@ pub(crate) fn of_leave() -> Vec<Mistake<Leaving, f64>> {
         Mistake {
             name: "lost in rounding",
             diagnosis: "The sum of the point and the offset is rounded, maybe back to the point \
-                        itself. Go one float further along each axis that the offset moves: see \
-                        'As far as the point may be wrong'.",
+                        itself. Go a float or two further along each axis that the normal leans \
+                        to: see 'As far as the point may be wrong'.",
             answer: |case| {
                 let (reach, side) = reach_and_side(case);
                 case.clearance(case.hit.point + side * reach * case.hit.geometric)

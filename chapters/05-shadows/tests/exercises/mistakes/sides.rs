@@ -29,6 +29,13 @@ pub(crate) fn of_arriving_cosine() -> Vec<Mistake<Sides, f32>> {
             },
         },
         Mistake {
+            name: "one normal for both questions",
+            diagnosis: "You ask the leaning normal alone, turned to the eye. It doesn't know on which \
+                        side of the surface the eye and the lamp are: the surface's own does. See \
+                        'Two normals'.",
+            answer: |it| turned(it.shading, it.eye).dot(it.lamp).max(0.0),
+        },
+        Mistake {
             name: "the surface's own cosine",
             diagnosis: "You give the cosine with the surface's own normal, and a mesh that is to \
                         look smooth shows its facets. That normal says whether light arrives, the \

@@ -34,6 +34,16 @@ pub(crate) fn of_along() -> Vec<Mistake<Way, f32>> {
             answer: |way| along(&way.surfaces, way.depth.saturating_sub(1), way.cutoff),
         },
         Mistake {
+            name: "the eye's surface counted as a mirror's",
+            diagnosis: "You count surfaces where the depth counts mirror rays. What the eye sees first \
+                        is met by no mirror ray: at depth 0 it is still there. See 'Where following \
+                        ends'.",
+            answer: |way| match way.depth {
+                0 => 0.0,
+                depth => along(&way.surfaces, depth - 1, way.cutoff),
+            },
+        },
+        Mistake {
             name: "one mirror ray too many",
             diagnosis: "Your depth test stops one ray late: at depth 0 not even the first mirror ray is \
                         followed. See 'Where following ends'.",
