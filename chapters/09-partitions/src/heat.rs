@@ -1,5 +1,6 @@
 //! A picture of work: what each ray cost.
 
+use boxes::slab::BOX_TESTS;
 use common::film::Color;
 use common::render::{Rendering, Settings, render_counted};
 use common::tally::{Counts, Event, Tally};
@@ -15,6 +16,8 @@ struct Work {
     triangle_tests: u64,
     cell_steps: u64,
     node_visits: u64,
+    /// Counted, and not shown: a visit to a node is a test of its box.
+    box_tests: u64,
 }
 
 impl Tally for Work {
@@ -24,6 +27,7 @@ impl Tally for Work {
             TRIANGLE_TESTS => self.triangle_tests += times,
             CELL_STEPS => self.cell_steps += times,
             NODE_VISITS => self.node_visits += times,
+            BOX_TESTS => self.box_tests += times,
             _ => {}
         }
     }
@@ -37,6 +41,7 @@ impl Tally for Work {
         self.triangle_tests += other.triangle_tests;
         self.cell_steps += other.cell_steps;
         self.node_visits += other.node_visits;
+        self.box_tests += other.box_tests;
     }
 }
 
@@ -50,11 +55,12 @@ pub fn draw<T: Tally>(
         let ray = camera.ray(pixel.position(sampler));
         let mut work = Work::default();
         accelerator.nearest(&ray, f32::INFINITY, &mut work);
-        let Work { triangle_tests, cell_steps, node_visits } = work;
+        let Work { triangle_tests, cell_steps, node_visits, box_tests } = work;
         tally.count(CAMERA_RAYS, 1);
         tally.count(TRIANGLE_TESTS, triangle_tests);
         tally.count(CELL_STEPS, cell_steps);
         tally.count(NODE_VISITS, node_visits);
+        tally.count(BOX_TESTS, box_tests);
         heat(triangle_tests + cell_steps + node_visits)
     })
 }

@@ -37,6 +37,10 @@ impl<A: Accelerator> Shape for Indexed<A> {
         self.accelerator.is_hit(ray, t_max, &mut Off)
     }
 
+    fn is_hit_counted(&self, ray: &Ray, t_max: f32, counts: &mut Counts) -> bool {
+        self.accelerator.is_hit(ray, t_max, counts)
+    }
+
     fn hit_counted(&self, ray: &Ray, t_max: f32, counts: &mut Counts) -> Option<Hit> {
         let found = self.accelerator.nearest(ray, t_max, counts)?;
         Some(self.mesh.complete(found))

@@ -13,7 +13,6 @@ use partitions::heat;
 use ray_casting::camera::CAMERA_RAYS;
 use ray_casting::picture::Show;
 use ray_casting::shape::SHAPE_TESTS;
-use shadows::command::SKILLS;
 use shadows::offset::Offset;
 use shadows::picture::Picture as LitPicture;
 use shadows::scenes::SCENES;
@@ -39,7 +38,13 @@ impl Chapter for Hierarchies {
         "Chapter 10: boxes around boxes, and rays that pass most of them by";
     const DEFAULTS: Defaults = Defaults { scene: "bunny", width: 640, height: 480, spp: 1 };
     const SCENES: &'static [SceneName] = SCENES;
-    const SKILLS: &'static [Skill] = SKILLS;
+    const SKILLS: &'static [Skill] = &[
+        Skill { effect: Effect::PrimaryVisibility, unless: "the scene is empty" },
+        Skill { effect: Effect::SmoothNormals, unless: "the picture shows no vertex normals" },
+        Skill { effect: Effect::LocalShading, unless: "the picture shows no light" },
+        Skill { effect: Effect::Textures, unless: "no colour that is lit varies over a surface" },
+        Skill { effect: Effect::HardShadows, unless: "the picture shows no shadow" },
+    ];
     const EVENTS: &'static [Event] = &[
         CAMERA_RAYS,
         SHADOW_RAYS,

@@ -47,9 +47,10 @@ fn note(table: &Table) -> String {
         return String::new();
     };
     let work = both.work as f64 / ordered.work as f64;
-    let time = ordered.time.median / packed.time.median;
+    let [before, after] = [both, ordered].map(|row| row.time.median / packed.time.median);
     format!(
-        "The report's way asks {work:.1} times as much as the nearer child first. \
-         The layout makes that {time:.1} times faster again."
+        "The report's way asks {work:.1} times as much as the nearer child first. With two boxes and \
+         four triangles at once that takes {before:.1} times less time than the report's way, and \
+         {after:.1} times less than the nearer child first, node by node."
     )
 }
