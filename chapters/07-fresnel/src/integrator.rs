@@ -225,12 +225,25 @@ impl<
         material: &Mirrored,
         tally: &mut T,
     ) -> Scattered<Path> {
-        let (scene, unseen) = (self.scene, self.unseen);
         let Place { path, hit, inside } = *met;
-        let seen = Seen { scene, hit, toward_eye: -path.ray.direction, inside, unseen };
-        let sent = Lit::<SHADING, DETAILS, SHADOWS>::sent(&seen, material, tally);
+        let sent = self.sent(&path.ray, hit, inside, material, tally);
         let light = self.seen_from_eye(sent, inside);
         Scattered::with(light, self.mirrored(met, material.mirror))
+    }
+
+    /// What an opaque surface sends back along the ray that met it.
+    #[inline]
+    fn sent<T: Tally>(
+        &self,
+        ray: &Ray,
+        hit: &Hit,
+        inside: Inside,
+        material: &Mirrored,
+        tally: &mut T,
+    ) -> Sent {
+        let (scene, unseen) = (self.scene, self.unseen);
+        let seen = Seen { scene, hit, toward_eye: -ray.direction, inside, unseen };
+        Lit::<SHADING, DETAILS, SHADOWS>::sent(&seen, material, tally)
     }
 
     /// The same for a polished one, which mirrors more the lower the light comes.
@@ -255,11 +268,23 @@ impl<
         sampler: &Sampler,
         tally: &mut T,
     ) -> Color {
-        let path = self.first(ray, sampler);
-        if MIRRORS || GLASS {
-            limits.trace(self, path, tally)
-        } else {
-            self.scatter(&path, tally).light
+        match MIRRORS || GLASS {
+            true => limits.trace(self, self.first(ray, sampler), tally),
+            false => self.met_only(&ray, tally),
+        }
+    }
+
+    /// The same where nothing reflects and nothing is let through: no path is needed for that.
+    #[inline]
+    fn met_only<T: Tally>(&self, ray: &Ray, tally: &mut T) -> Color {
+        let Some(found) = self.scene.nearest(ray, tally) else { return self.background() };
+        let hit = detailed::<DETAILS, T>(&found.hit, tally);
+        match &found.object.material {
+            Surface::Opaque(material) | Surface::Polished(material) => {
+                let sent = self.sent(ray, &hit, Inside::default(), material, tally);
+                sent.ambient + sent.lamps
+            }
+            Surface::Metal(_) | Surface::Glass(_) => Color::ZERO,
         }
     }
 
