@@ -48,7 +48,7 @@ pub fn cheapest(cell: &Cell<3>) -> Option<Plane> {
 
 /// A cell's surface, as a plane across one direction divides it.
 struct Surface {
-    /// The share of each of the two faces across that direction.
+    /// The share of the two faces across that direction together.
     end: f32,
     /// The share of the four others together.
     sides: f32,

@@ -159,7 +159,7 @@ impl Weigh {
         Self { whole: 1.0 / unscaled.surface(bounds), ..unscaled }
     }
 
-    /// A quarter of the surface of a box, the longest side being 2.
+    /// An eighth of the surface of a box, the longest side being 2.
     #[inline]
     fn surface(&self, span: &Span) -> f32 {
         let side = (0.5 * span.high - 0.5 * span.low) * self.scale;

@@ -36,7 +36,8 @@ pub fn cost_of_cut(node: &Aabb, sides: &[(Aabb, u32); 2], step: f32) -> f32 {
 ///
 /// `ask` puts the question to one item: where the ray hits it, below the limit you give. The check
 /// counts how often you ask: items behind the nearest hit should not be, and the nearer of two
-/// children is worth asking first. See the section "The nearer child first".
+/// children is worth asking first. Of two hits at the same distance either counts: there are none
+/// here (exercise 10.5 is about them). See the section "The nearer child first".
 pub fn nearest(
     tree: &Bvh,
     ray: &BoxRay,
@@ -48,7 +49,8 @@ pub fn nearest(
 
 /// Exercise 10.4, is anything in the way: whether the ray hits an item below `t_max`.
 ///
-/// `ask` is the one of exercise 10.3, and again it is counted. See the section "Any hit will do".
+/// `ask` is the one of exercise 10.3. The check notes whether you ask after a hit, and whether you ask
+/// an item whose box the ray doesn't meet: neither is needed. See the section "Any hit will do".
 pub fn is_hit(
     tree: &Bvh,
     ray: &BoxRay,

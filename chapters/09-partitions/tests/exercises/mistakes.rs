@@ -82,13 +82,91 @@ pub(crate) fn cells_along() -> Vec<Mistake<Line, Vec<[i32; 3]>>> {
         Mistake {
             name: "minus zero",
             diagnosis: "You take -0 for a number above 0, but 1/-0 is minus infinity, so that border \
-                        seems to be passed at once. Take the sign of the reciprocal.",
-            answer: |line| {
-                let step = |component: f32| if component >= 0.0 { 1 } else { -1 };
-                walk(line, step, border, Vec3::min_position)
-            },
+                        seems to be passed at once. Take the sign of the reciprocal. See 'From cell \
+                        to cell'.",
+            answer: |line| walk(line, not_below_zero, border, Vec3::min_position),
+        },
+        Mistake {
+            name: "minus zero, then NaN",
+            diagnosis: "You take -0 for a number above 0, but dividing by -0 gives minus infinity, so \
+                        that border seems to be passed at once. Then you add the time for one cell, \
+                        which is plus infinity, and have NaN. Take the sign of the reciprocal. See \
+                        'From cell to cell'.",
+            answer: |line| walk_by_adding(line, not_below_zero, Vec3::min_position),
+        },
+        Mistake {
+            name: "minus zero, then NaN for the last axis",
+            diagnosis: "You take -0 for a number above 0, but dividing by -0 gives minus infinity, so \
+                        that border seems to be passed at once. Then you add plus infinity, the time \
+                        for one cell: that is NaN, all your comparisons say no, and what is left is \
+                        z. Take the sign of the reciprocal. See 'From cell to cell'.",
+            answer: |line| walk_by_adding(line, not_below_zero, first_or_z),
+        },
+        Mistake {
+            name: "plus zero",
+            diagnosis: "You take 0 for a number below 0, and look for the border behind. Dividing by 0 \
+                        gives minus infinity for it, so that it seems to be passed at once. Take the \
+                        sign of the reciprocal. See 'From cell to cell'.",
+            answer: |line| walk(line, above_zero, border, Vec3::min_position),
+        },
+        Mistake {
+            name: "plus zero, then NaN",
+            diagnosis: "You take 0 for a number below 0, and look for the border behind. Dividing by 0 \
+                        gives minus infinity for it; then you add the time for one cell, which is \
+                        plus infinity, and have NaN. Take the sign of the reciprocal. See 'From cell \
+                        to cell'.",
+            answer: |line| walk_by_adding(line, above_zero, Vec3::min_position),
+        },
+        Mistake {
+            name: "plus zero, then NaN for the last axis",
+            diagnosis: "You take 0 for a number below 0, and look for the border behind. Dividing by 0 \
+                        gives minus infinity for it; then you add plus infinity, the time for one \
+                        cell: that is NaN, all your comparisons say no, and what is left is z. Take \
+                        the sign of the reciprocal. See 'From cell to cell'.",
+            answer: |line| walk_by_adding(line, above_zero, first_or_z),
         },
     ]
+}
+
+fn not_below_zero(component: f32) -> i32 {
+    if component >= 0.0 { 1 } else { -1 }
+}
+
+fn above_zero(component: f32) -> i32 {
+    if component > 0.0 { 1 } else { -1 }
+}
+
+/// The least of three by a chain of questions, which all say no to NaN.
+fn first_or_z(leaves: Vec3) -> usize {
+    let Vec3 { x, y, z } = leaves;
+    match () {
+        () if x < y && x < z => 0,
+        () if y < z => 1,
+        () => 2,
+    }
+}
+
+/// The walk that adds the time for one cell at each step, with parts to be replaced.
+fn walk_by_adding(
+    line: &Line,
+    step: impl Fn(f32) -> i32,
+    choose: impl Fn(Vec3) -> usize,
+) -> Vec<[i32; 3]> {
+    let step = line.direction.to_array().map(step);
+    let mut cell = line.origin.floor().to_array().map(|it| it as i32);
+    let mut leaves = [0, 1, 2].map(|axis| {
+        let border = border(cell[axis], step[axis]) as f32;
+        (border - line.origin[axis]) / line.direction[axis]
+    });
+    let one_cell = line.direction.abs().recip();
+    let mut passed = Vec::new();
+    while cell.iter().all(|index| (0..line.cells).contains(index)) && passed.len() < 100 {
+        passed.push(cell);
+        let axis = choose(leaves.into());
+        cell[axis] += step[axis];
+        leaves[axis] += one_cell[axis];
+    }
+    passed
 }
 
 fn forward(component: f32) -> i32 {
@@ -155,6 +233,47 @@ pub(crate) fn nearest() -> Vec<Mistake<Vec<Passed>, Nearest>> {
                         cell can be hit at the same t, and have a lower number: stop only if t is \
                         less.",
             answer: |cells| search(cells, closer, |t, leaves| t <= leaves),
+        },
+        Mistake {
+            name: "no rule for equals, and stops at the border",
+            diagnosis: "Two things. Of two hits at the same t you keep the one that was found first: \
+                        let the triangle with the lowest number win. And you stop when the hit is \
+                        exactly where the cell ends, though the next cell can have one at the same t, \
+                        with a lower number: stop only if t is less. See 'The first hit that is \
+                        found'.",
+            answer: |cells| search(cells, |hit, best| hit.1 < best.1, |t, leaves| t <= leaves),
+        },
+        Mistake {
+            name: "the last of equals",
+            diagnosis: "Of two hits at the same t you keep the one that was found last. Which that \
+                        is depends on the cells. Let the triangle with the lowest number win. See \
+                        'The first hit that is found'.",
+            answer: |cells| search(cells, |hit, best| hit.1 <= best.1, |t, leaves| t < leaves),
+        },
+        Mistake {
+            name: "the last of equals, and stops at the border",
+            diagnosis: "Two things. Of two hits at the same t you keep the one that was found last: \
+                        let the triangle with the lowest number win. And you stop when the hit is \
+                        exactly where the cell ends, though the next cell can have one at the same t, \
+                        with a lower number: stop only if t is less. See 'The first hit that is \
+                        found'.",
+            answer: |cells| search(cells, |hit, best| hit.1 <= best.1, |t, leaves| t <= leaves),
+        },
+        Mistake {
+            name: "the first hit that is found, and no rule for equals",
+            diagnosis: "You stop with the first cell that has a hit, as the published loop does; the \
+                        hit may be in a later cell, behind another one. Stop only when a cell ends \
+                        behind it. Then, of hits at the same t, let the triangle with the lowest \
+                        number win. See 'The first hit that is found'.",
+            answer: |cells| search(cells, |hit, best| hit.1 < best.1, |_, _| true),
+        },
+        Mistake {
+            name: "never stops, and no rule for equals",
+            diagnosis: "You look into every cell, and of two hits at the same t you keep the one that \
+                        was found first. Stop after a cell that is left behind the hit: nothing \
+                        nearer can come. And let the triangle with the lowest number win. See 'The \
+                        first hit that is found'.",
+            answer: |cells| search(cells, |hit, best| hit.1 < best.1, |_, _| false),
         },
     ]
 }

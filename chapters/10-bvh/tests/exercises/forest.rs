@@ -27,14 +27,14 @@ pub(crate) struct Found {
     pub(crate) asked: u32,
 }
 
-/// Whether some rays are blocked, and questions that should not have been asked.
+/// Whether some rays are blocked, and whether questions were asked that should not have been. A
+/// reader sees these names.
 #[derive(Debug, PartialEq)]
 pub(crate) struct Blocked {
     blocked: Vec<bool>,
-    /// After a hit.
-    late: bool,
-    /// Of spheres whose boxes the ray does not meet.
-    outside: bool,
+    asked_after_a_hit: bool,
+    /// Of a sphere.
+    asked_though_its_box_is_missed: bool,
 }
 
 /// How far the rays of exercise 10.4 go.
@@ -99,26 +99,28 @@ impl Forest {
 
     pub(crate) fn blocked(&self, is_hit: IsHit) -> Blocked {
         let (spheres, tree) = (self.all(), self.tree());
-        let (mut late, mut outside) = (false, false);
+        let (mut asked_after_a_hit, mut asked_though_its_box_is_missed) = (false, false);
         let blocked = |ray: &Ray| {
             let (boxes, mut hit) = (BoxRay::new(ray, &tree.bounds()), false);
             is_hit(&tree, &boxes, T_MAX, &mut |item, limit| {
                 let sphere = &spheres[item as usize];
-                late |= hit;
-                outside |= boxes.enter(&sphere.bounds(), f32::INFINITY).is_none();
+                asked_after_a_hit |= hit;
+                asked_though_its_box_is_missed |=
+                    boxes.enter(&sphere.bounds(), f32::INFINITY).is_none();
                 let t = sphere.hit(ray, limit).map(|hit| hit.t);
                 hit |= t.is_some();
                 t
             })
         };
-        Blocked { blocked: self.rays().iter().map(blocked).collect(), late, outside }
+        let blocked = self.rays().iter().map(blocked).collect();
+        Blocked { blocked, asked_after_a_hit, asked_though_its_box_is_missed }
     }
 
     pub(crate) fn blocked_by_scan(&self) -> Blocked {
         let spheres = self.all();
         let blocked = |ray: &Ray| spheres.iter().any(|it| it.hit(ray, T_MAX).is_some());
         let blocked = self.rays().iter().map(blocked).collect();
-        Blocked { blocked, late: false, outside: false }
+        Blocked { blocked, asked_after_a_hit: false, asked_though_its_box_is_missed: false }
     }
 }
 

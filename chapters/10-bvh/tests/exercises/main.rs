@@ -261,6 +261,13 @@ fn exercise_10_4() -> Result<(), Failure> {
                 answer: |case| case.blocked(mistakes::by_nearest),
             },
             Mistake {
+                name: "the nearest hit of all",
+                diagnosis: "You looked for the nearest hit, and compared it with `t_max` \
+                    afterwards. Your answers are right, but one hit below `t_max` is enough: give \
+                    `ask` that limit, and stop when it answers. See \"Any hit will do\".",
+                answer: |case| case.blocked(mistakes::by_nearest_of_all),
+            },
+            Mistake {
                 name: "without an end",
                 diagnosis: "You gave infinity for the limit. What lies behind the lamp casts no \
                     shadow: hits count below `t_max`.",
@@ -305,6 +312,13 @@ fn exercise_10_5() -> Result<(), Failure> {
                     one, whichever that is: another tree, another picture. See \"The report's \
                     traversal\".",
                 answer: mistakes::published,
+            },
+            Mistake {
+                name: "the left one of two as far away",
+                diagnosis: "Where both are as far away you take the left one, as the report takes the \
+                    right one. Which is which depends on the tree: another tree, another picture. \
+                    The lower number counts. See \"The report's traversal\".",
+                answer: mistakes::left_of_two,
             },
             Mistake {
                 name: "no hit is at 0",

@@ -142,6 +142,10 @@ pub(crate) fn by_nearest(tree: &Bvh, ray: &BoxRay, t_max: f32, ask: Ask) -> bool
     solutions::nearest(tree, ray, &mut |item, limit| ask(item, limit.min(t_max))).is_some()
 }
 
+pub(crate) fn by_nearest_of_all(tree: &Bvh, ray: &BoxRay, t_max: f32, ask: Ask) -> bool {
+    solutions::nearest(tree, ray, ask).is_some_and(|(_, t)| t < t_max)
+}
+
 pub(crate) fn without_end(tree: &Bvh, ray: &BoxRay, _t_max: f32, ask: Ask) -> bool {
     solutions::is_hit(tree, ray, f32::INFINITY, ask)
 }
@@ -162,6 +166,10 @@ pub(crate) fn one_path(tree: &Bvh, ray: &BoxRay, t_max: f32, ask: Ask) -> bool {
 pub(crate) fn published(Children { left, right }: &Children) -> Hit {
     let distance = |hit: &Hit| hit.map_or(f32::INFINITY, |(_, t)| t);
     if distance(left) < distance(right) { *left } else { *right }
+}
+
+pub(crate) fn left_of_two(Children { left, right }: &Children) -> Hit {
+    published(&Children { left: *right, right: *left })
 }
 
 pub(crate) fn none_is_nearest(case: &Children) -> Hit {
