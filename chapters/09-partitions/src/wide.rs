@@ -15,9 +15,10 @@ use ray_casting::ray::Ray;
 /// scene, along any axis: 32 u, where u is 2⁻²⁴.
 ///
 /// 4 u for how far beside the exact ray the triangle test may hit, 2 u for the two differences to the
-/// borders (see chapter 8 for both), and 2 u for its `t` and the product with the direction. 6 u for where the ray crosses a plane: two differences, a
-/// slope, its inverse, a product. 12 u for the borders of a grid, which are rounded, and for
-/// [`crate::cells::Side::index`], which rounds otherwise. That makes 26; a tree takes less.
+/// borders (see chapter 8 for both), and 2 u for its `t` and the product with the direction. 6 u for
+/// where the ray crosses a plane: two differences, a slope, its inverse, a product. 12 u for the
+/// borders of a grid, which are rounded, and for [`crate::cells::Side::index`], which rounds
+/// otherwise. That makes 26; a tree takes less.
 pub const WIDTH: f32 = 2.0 * PAD;
 // ANCHOR_END: width
 
