@@ -38,6 +38,8 @@ pub const PIXEL_OFFSET: Purpose = Purpose::named("pixel offset");
 /// The random numbers of one sample of one pixel.
 #[derive(Clone, Copy, Debug)]
 pub struct Sampler {
+    /// The same for all samples of the pixel.
+    pixel: u64,
     key: u64,
     index: u32,
     count: u32,
@@ -47,8 +49,8 @@ impl Sampler {
     /// The numbers of sample `index` of `count` in pixel number `pixel`.
     #[inline]
     pub fn new(seed: u64, pixel: u64, index: u32, count: u32) -> Self {
-        let key = mix(mix(mix(seed) ^ pixel) ^ u64::from(index));
-        Self { key, index, count }
+        let pixel = mix(mix(seed) ^ pixel);
+        Self { pixel, key: mix(pixel ^ u64::from(index)), index, count }
     }
 
     /// Which of the pixel's samples this is, from 0.
@@ -68,6 +70,13 @@ impl Sampler {
     pub fn stream(&self, bounce: u32, purpose: Purpose) -> Stream {
         let state = mix(self.key ^ purpose.0);
         Stream(Pcg32::new(mix(state ^ u64::from(bounce)), state))
+    }
+
+    /// 64 random bits that all samples of the pixel share, for one purpose at one bounce: where
+    /// numbered points begin of which each sample takes one.
+    #[inline]
+    pub fn shared(&self, bounce: u32, purpose: Purpose) -> u64 {
+        mix(mix(self.pixel ^ purpose.0) ^ u64::from(bounce))
     }
 
     /// Where in its pixel the sample lies, each coordinate in [0, 1): the centre when the pixel has
@@ -148,6 +157,16 @@ mod tests {
         assert_ne!(base, first(Sampler::new(1, 2, 3, 9), 0, lens));
         assert_ne!(base, first(Sampler::new(1, 2, 3, 9), 4, PIXEL_OFFSET));
         assert_eq!(base, first(Sampler::new(1, 2, 3, 9), 4, Purpose::named("lens")));
+    }
+
+    #[test]
+    fn samples_of_one_pixel_share_what_is_for_all_of_them() {
+        let lens = Purpose::named("lens");
+        let shared = |pixel, index, bounce| Sampler::new(1, pixel, index, 9).shared(bounce, lens);
+        assert_eq!(shared(2, 3, 4), shared(2, 5, 4));
+        assert_ne!(shared(2, 3, 4), shared(1, 3, 4));
+        assert_ne!(shared(2, 3, 4), shared(2, 3, 5));
+        assert_ne!(shared(2, 3, 4), Sampler::new(1, 2, 3, 9).shared(4, PIXEL_OFFSET));
     }
 
     #[test]

@@ -1,0 +1,27 @@
+//! A scene as it is described: things, a sky, and where it is seen from.
+
+use common::film::Color;
+use ray_casting::camera::View;
+
+use crate::part::Part;
+
+// ANCHOR: model
+/// Things of materials `M`, and the light around them.
+#[derive(Clone, Debug)]
+pub struct Model<M> {
+    /// What there is.
+    pub parts: Vec<Part<M>>,
+    /// The radiance from all around.
+    pub sky: Color,
+    /// Where it is seen from.
+    pub view: View,
+}
+// ANCHOR_END: model
+
+impl<M> Model<M> {
+    /// The same scene of other materials: what a later chapter makes of this one's.
+    pub fn map<N>(self, material: impl Fn(M) -> N) -> Model<N> {
+        let parts = self.parts.into_iter().map(|part| part.map(&material)).collect();
+        Model { parts, sky: self.sky, view: self.view }
+    }
+}
