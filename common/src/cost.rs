@@ -54,13 +54,20 @@ pub enum Plot {
     ErrorOverTime(&'static str),
     /// A curve a series: milliseconds over the methods' sizes, whose axis has this label.
     TimeOver(&'static str),
+    /// A curve a series: the error over the methods' sizes, such as numbers of samples.
+    ErrorOver {
+        /// The label of the sizes' axis.
+        size: &'static str,
+        /// The label of the error's axis.
+        error: &'static str,
+    },
 }
 
 /// One method or setting of an experiment.
 pub struct Method<'a> {
     /// Its name in the table, such as "quadratic, f32".
     pub label: String,
-    /// The curve it belongs to in a plot of time over size; elsewhere its label again.
+    /// The curve it belongs to in a plot over sizes; elsewhere its label again.
     pub series: &'static str,
     /// Its place on the size axis, where the plot has one.
     pub size: f64,

@@ -72,6 +72,12 @@ fn axes(table: &Table) -> Axes {
             x: |row| row.size,
             y: |row| row.time.median,
         },
+        Plot::ErrorOver { size, error } => Axes {
+            x_label: size.into(),
+            y_label: error.into(),
+            x: |row| row.size,
+            y: |row| row.error,
+        },
     }
 }
 
@@ -128,10 +134,10 @@ fn draw(panel: &Panel, table: &Table) -> Result<(), DrawError> {
     Ok(())
 }
 
-/// Where the legend covers nothing: curves of time over size rise to the right.
+/// Where the legend covers nothing: curves of time over size rise to the right, those of an error fall.
 fn legend(plot: Plot) -> SeriesLabelPosition {
     match plot {
-        Plot::ErrorOverTime(_) => SeriesLabelPosition::UpperRight,
+        Plot::ErrorOverTime(_) | Plot::ErrorOver { .. } => SeriesLabelPosition::UpperRight,
         Plot::TimeOver(_) => SeriesLabelPosition::UpperLeft,
     }
 }
@@ -140,7 +146,7 @@ fn legend(plot: Plot) -> SeriesLabelPosition {
 fn name(table: &Table, row: &Row) -> String {
     match table.plot {
         Plot::ErrorOverTime(_) => row.label.clone(),
-        Plot::TimeOver(_) => row.series.into(),
+        Plot::TimeOver(_) | Plot::ErrorOver { .. } => row.series.into(),
     }
 }
 
@@ -188,5 +194,13 @@ mod tests {
         assert_eq!(text.matches("</svg>").count(), 1);
         assert!(text.trim_end().ends_with("</svg>"), "{text}");
         assert!(text.contains("\n0\n"), "the label of no error: {text}");
+    }
+
+    #[test]
+    fn an_error_over_sizes_is_a_curve_a_series() {
+        let text = svg(&[table(Plot::ErrorOver { size: "samples", error: "error (RMS)" })]);
+        let text = text.expect("it can be drawn");
+        assert!(text.contains("\nsamples\n") && text.contains("\nerror (RMS)\n"), "{text}");
+        assert!(text.contains("\none\n") && !text.contains("\nfast\n"), "one curve: {text}");
     }
 }
