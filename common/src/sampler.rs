@@ -76,7 +76,7 @@ impl Sampler {
     /// numbered points begin of which each sample takes one.
     #[inline]
     pub fn shared(&self, bounce: u32, purpose: Purpose) -> u64 {
-        mix(mix(self.pixel ^ purpose.0) ^ u64::from(bounce))
+        mix(self.pixel ^ purpose.0.rotate_left(bounce))
     }
 
     /// Where in its pixel the sample lies, each coordinate in [0, 1): the centre when the pixel has

@@ -41,9 +41,30 @@ impl TriangleTest for ShearedRay {
         if differ_in_sign(edge(b, c), edge(c, a), edge(a, b)) {
             return None;
         }
-        self.measure([a, b, c], t_max).filter(|_| has_area(corners))
+        self.decide([a, b, c], t_max).filter(|_| has_area(corners))
     }
     // ANCHOR_END: hit
+}
+
+/// A triangle that a ray hits, and where; what else there is to know has not been worked out yet, for
+/// a nearer one may make it useless.
+#[derive(Clone, Copy, Debug)]
+pub struct Measured {
+    /// How far along the ray, in lengths of its direction: finite and above 0.
+    pub t: f32,
+    /// The edge functions.
+    edges: [f64; 3],
+    /// Their sum.
+    determinant: f64,
+}
+
+impl Measured {
+    /// The whole answer.
+    #[inline]
+    pub fn hit(&self) -> TriangleHit {
+        let weights = self.edges.map(|weight| (weight / self.determinant) as f32);
+        TriangleHit { t: self.t, barycentric: Vec3::from(weights) }
+    }
 }
 
 impl ShearedRay {
@@ -62,11 +83,11 @@ impl ShearedRay {
     // ANCHOR: measure
     /// Decides in f64, where the sign of an edge function is exact, and measures what is hit. The
     /// corners are in the ray's coordinates, and the triangle must have an area.
-    #[inline(never)]
-    pub fn measure(&self, sheared: [Vec3; 3], t_max: f32) -> Option<TriangleHit> {
+    #[inline]
+    pub fn measure(&self, sheared: [Vec3; 3], t_max: f32) -> Option<Measured> {
         let [a, b, c] = sheared;
         let (u, v, w) = (exact_edge(b, c), exact_edge(c, a), exact_edge(a, b));
-        if (u < 0.0 || v < 0.0 || w < 0.0) && (u > 0.0 || v > 0.0 || w > 0.0) {
+        if differ_in_sign(u, v, w) {
             return None;
         }
         let determinant = sum(u, v, w);
@@ -76,10 +97,15 @@ impl ShearedRay {
         if !(t > 0.0 && t < t_max) {
             return None;
         }
-        let weights = [u, v, w].map(|weight| (weight / determinant) as f32);
-        Some(TriangleHit { t, barycentric: Vec3::from(weights) })
+        Some(Measured { t, edges: [u, v, w], determinant })
     }
     // ANCHOR_END: measure
+
+    /// The same, kept out of the loop over triangles: few come so far.
+    #[inline(never)]
+    fn decide(&self, sheared: [Vec3; 3], t_max: f32) -> Option<TriangleHit> {
+        self.measure(sheared, t_max).map(|measured| measured.hit())
+    }
 }
 
 // ANCHOR: edge
@@ -101,24 +127,25 @@ pub(crate) fn exact_edge(p: Vec3, q: Vec3) -> f64 {
 /// Whether one is negative and one is positive. By the lowest and the highest, which a processor
 /// finds without a jump it could guess wrong.
 #[inline]
-fn differ_in_sign(u: f32, v: f32, w: f32) -> bool {
-    lower(lower(u, v), w) < 0.0 && higher(higher(u, v), w) > 0.0
+fn differ_in_sign<N: PartialOrd + Default + Copy>(u: N, v: N, w: N) -> bool {
+    lower(lower(u, v), w) < N::default() && higher(higher(u, v), w) > N::default()
 }
 
 /// The lower of two; either where one is NaN.
 #[inline]
-fn lower(x: f32, y: f32) -> f32 {
+fn lower<N: PartialOrd>(x: N, y: N) -> N {
     if x < y { x } else { y }
 }
 
 /// The higher of two; either where one is NaN.
 #[inline]
-fn higher(x: f32, y: f32) -> f32 {
+fn higher<N: PartialOrd>(x: N, y: N) -> N {
     if x > y { x } else { y }
 }
 
 // ANCHOR: sum
 /// A sum of three that is the same to the last bit in whatever order they come.
+#[inline]
 fn sum(x: f64, y: f64, z: f64) -> f64 {
     let (low, high) = if x < y { (x, y) } else { (y, x) };
     let (low, middle) = if z < low { (z, low) } else { (low, z) };

@@ -26,6 +26,7 @@ fn reach(hit: &Hit) -> f32 {
 /// Shapes know their own error for rays that start beside them. The longer the way, the more is
 /// rounded: at most 32 roundings of the distance, and for a sphere as many of its radius, of which
 /// `hit.error` has seven. A plane needs four and a triangle six.
+#[inline]
 pub(crate) fn spawn_far(hit: &Hit, direction: Vec3, distance: f32) -> Vec3 {
     leave(hit, direction, 5.0 * reach(hit) + gamma(32) * distance)
 }

@@ -69,6 +69,7 @@ pub fn open<T: Tally>(
 ///
 /// It starts on the surface if one end is free. Between two of a kind it starts at the one with the
 /// smaller coordinates, whichever was named first.
+#[inline]
 pub fn between(one: End, other: End) -> Ray {
     let (start, end) = if starts_at(&one, &other) { (one, other) } else { (other, one) };
     let way = end.point() - start.point();
@@ -86,6 +87,7 @@ pub fn between(one: End, other: End) -> Ray {
 }
 
 /// Whether the ray between two ends starts at `one`.
+#[inline]
 fn starts_at(one: &End, other: &End) -> bool {
     match (one, other) {
         (End::On(_), End::Free(_)) => true,
@@ -96,14 +98,15 @@ fn starts_at(one: &End, other: &End) -> bool {
 // ANCHOR_END: between
 
 /// Which of two points comes first: by x, then y, then z.
+#[inline]
 fn compare(one: Vec3, other: Vec3) -> Ordering {
-    let (one, other) = (one.to_array(), other.to_array());
-    let axes = one.iter().zip(&other);
-    axes.map(|(one, other)| one.total_cmp(other)).find(|it| it.is_ne()).unwrap_or(Ordering::Equal)
+    let by_x = one.x.total_cmp(&other.x);
+    by_x.then_with(|| one.y.total_cmp(&other.y)).then_with(|| one.z.total_cmp(&other.z))
 }
 
 impl End<'_> {
     /// Where it is.
+    #[inline]
     pub fn point(&self) -> Vec3 {
         match self {
             Self::On(hit) => hit.point,

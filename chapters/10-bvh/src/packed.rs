@@ -12,7 +12,7 @@ use triangles::area::has_area;
 use triangles::brute::{Found, TRIANGLE_TESTS};
 use triangles::intersect::TriangleTest;
 use triangles::lanes::{FourRays, LANES, Pack};
-use triangles::watertight::ShearedRay;
+use triangles::watertight::{Measured, ShearedRay};
 
 use crate::build::{DEPTH, Recipe};
 use crate::node::Node;
@@ -111,23 +111,16 @@ impl PackedBvh {
                 let pair = &self.pairs[place];
                 let [first, second] = pair.branches;
                 let entered = ray.enter(pair, limit);
-                match entered.which {
-                    0 => {}
-                    1 => {
-                        here = first;
-                        continue;
-                    }
-                    2 => {
-                        here = second;
-                        continue;
-                    }
-                    _ => {
-                        let [one, other] = entered.at;
-                        let swap = NEAR_FIRST && other < one;
-                        waiting.push(if swap { (first, one) } else { (second, other) });
-                        here = if swap { second } else { first };
-                        continue;
-                    }
+                if entered.which == 0b11 {
+                    let [one, other] = entered.at;
+                    let swap = NEAR_FIRST && other < one;
+                    waiting.push(if swap { (first, one) } else { (second, other) });
+                    here = if swap { second } else { first };
+                    continue;
+                }
+                if entered.which != 0 {
+                    here = pair.branches[entered.which as usize >> 1];
+                    continue;
                 }
             } else {
                 for four in &self.fours[here.groups()] {
@@ -166,16 +159,25 @@ fn branch(node: &Node, order: &[u32], triangles: &[[Vec3; 3]], fours: &mut Vec<F
 }
 
 impl Four {
-    /// How many triangles it really has.
-    fn count(&self) -> u64 {
-        self.indices.iter().filter(|&&index| index != NONE).count() as u64
+    /// Counts the triangles it really has.
+    #[inline]
+    fn tell<T: Tally>(&self, tally: &mut T) {
+        if let Some(counts) = tally.counts() {
+            let triangles = self.indices.iter().filter(|&&index| index != NONE).count();
+            counts.count(TRIANGLE_TESTS, triangles as u64);
+        }
     }
 
     // ANCHOR: hits
     /// The next hit below `limit` among the candidates, which are a bit for each lane. Those that
     /// were asked are taken out.
     #[inline]
-    fn next_hit(&self, candidates: &mut u32, ray: &Prepared, limit: f32) -> Option<Found> {
+    fn next_hit(
+        &self,
+        candidates: &mut u32,
+        ray: &Prepared,
+        limit: f32,
+    ) -> Option<(Measured, u32)> {
         while *candidates != 0 {
             let lane = candidates.trailing_zeros() as usize;
             *candidates &= *candidates - 1;
@@ -183,8 +185,9 @@ impl Four {
             if index == NONE {
                 continue;
             }
-            if let Some(hit) = ray.sheared.measure(self.pack.sheared(lane, &ray.four), limit) {
-                return Some(Found { hit, index: index as usize });
+            let sheared = self.pack.sheared(lane, &ray.four);
+            if let Some(measured) = ray.sheared.measure(sheared, limit) {
+                return Some((measured, index));
             }
         }
         None
@@ -239,21 +242,22 @@ impl Accelerator for PackedBvh {
     #[inline]
     fn nearest<T: Tally>(&self, ray: &Ray, t_max: f32, tally: &mut T) -> Option<Found> {
         let (mut prepared, mut limit) = (None, t_max);
-        let mut nearest: Option<Found> = None;
+        let mut nearest: Option<(Measured, u32)> = None;
         self.descend::<true, T>(ray, t_max, tally, |four, tally| {
-            tally.count(TRIANGLE_TESTS, four.count());
+            four.tell(tally);
             let prepared = Prepared::once(&mut prepared, ray)?;
             let mut candidates = four.pack.candidates(&prepared.four);
             while let Some(found) = four.next_hit(&mut candidates, prepared, limit) {
-                let earlier = |best: &Found| best.hit.t == found.hit.t && best.index < found.index;
+                let (measured, index) = found;
+                let earlier = |best: &(Measured, u32)| best.0.t == measured.t && best.1 < index;
                 if !nearest.as_ref().is_some_and(earlier) {
                     nearest = Some(found);
                 }
-                limit = found.hit.t.next_up();
+                limit = measured.t.next_up();
             }
             Some(limit)
         });
-        nearest
+        nearest.map(|(measured, index)| Found { hit: measured.hit(), index: index as usize })
     }
     // ANCHOR_END: nearest
 
@@ -263,7 +267,7 @@ impl Accelerator for PackedBvh {
     fn is_hit<T: Tally>(&self, ray: &Ray, t_max: f32, tally: &mut T) -> bool {
         let (mut prepared, mut hit) = (None, false);
         self.descend::<false, T>(ray, t_max, tally, |four, tally| {
-            tally.count(TRIANGLE_TESTS, four.count());
+            four.tell(tally);
             let prepared = Prepared::once(&mut prepared, ray)?;
             let mut candidates = four.pack.candidates(&prepared.four);
             hit = four.next_hit(&mut candidates, prepared, t_max).is_some();
