@@ -25,6 +25,9 @@ pub struct RoughConductor {
     pub facets: Facets,
 }
 
+/// A metal that reflects all light at every angle: its index is 0.
+pub const PERFECT: Metal = Metal { index: [0.0; 3], absorption: [0.0; 3] };
+
 impl Bsdf for RoughConductor {
     /// D F G₂ / (4 z z').
     #[inline]

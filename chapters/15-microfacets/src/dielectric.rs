@@ -167,7 +167,7 @@ impl RoughDielectric {
     fn eval_refracted(&self, outgoing: Vec3, incoming: Vec3) -> Option<f32> {
         let (side, out) = (self.side(outgoing), upright(outgoing));
         let passage = side.passage(out, incoming.with_z(-incoming.z.abs()))?;
-        let through = 1.0 - side.reflectance(passage.facing);
+        let through = passage.through(&side);
         let visibility = 4.0 * self.facets.apart(out, upright(incoming));
         let density = self.facets.ggx.density(passage.normal);
         Some(through * density * visibility * passage.facing * passage.stretched(&side))
@@ -177,12 +177,19 @@ impl RoughDielectric {
     fn density_refracted(&self, outgoing: Vec3, incoming: Vec3) -> Option<f32> {
         let (side, out) = (self.side(outgoing), upright(outgoing));
         let passage = side.passage(out, incoming.with_z(-incoming.z.abs()))?;
-        let through = 1.0 - side.reflectance(passage.facing);
+        let through = passage.through(&side);
         Some(through * passage.density(&self.facets, &side, out))
     }
 }
 
 impl Passage {
+    /// 1 - F, from both cosines: that of one side alone would have no digits near the critical angle.
+    #[inline]
+    fn through(&self, side: &Side) -> f32 {
+        let [near, far] = [self.facing, self.beyond].map(|cosine| f64::from(cosine).min(1.0));
+        1.0 - dielectric::between(&side.interface, near, far) as f32
+    }
+
     /// The steradians of normals for each steradian of directions beyond:
     /// (n' / n)² |incoming · h| / |outgoing + (n' / n) incoming|², Walter's equation 17.
     #[inline]

@@ -8,6 +8,7 @@ use path_tracing::lambert::Lambert;
 use path_tracing::random::Random;
 use path_tracing::smooth::Smooth;
 
+use crate::facets::Facets;
 use crate::rough::Rough;
 
 // ANCHOR: finish
@@ -33,6 +34,14 @@ impl Finish {
     /// The material where nothing rough, no mirror and no glass is simulated.
     pub fn lambert(&self) -> Option<Lambert> {
         self.smooth().and_then(|smooth| smooth.lambert())
+    }
+
+    /// The same, its facets changed where it has some.
+    pub fn with_facets(mut self, change: impl Fn(&mut Facets)) -> Self {
+        if let Self::Rough(rough) = &mut self {
+            change(rough.facets_mut());
+        }
+        self
     }
 }
 

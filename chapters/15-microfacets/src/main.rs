@@ -1,3 +1,7 @@
 //! `cargo run --release -p microfacets`: the picture of chapter 15.
 
-fn main() {}
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    common::chapter::main(&microfacets::command::PROGRAM)
+}
