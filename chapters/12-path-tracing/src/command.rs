@@ -10,7 +10,7 @@ use ray_casting::camera::CAMERA_RAYS;
 use triangles::brute::TRIANGLE_TESTS;
 
 use crate::knobs::Knobs;
-use crate::scenes::{self, SCENES};
+use crate::scenes::{self, Described, SCENES};
 use crate::shot::Shot;
 use crate::smooth::Smooth;
 use crate::stage::Stage;
@@ -18,12 +18,19 @@ use crate::strategy::{ByDirection, Never};
 use crate::tracer::{
     BOUNCES, LAMPS_MET, LONGEST_PATH, SKY_SEEN, SPECULAR_BOUNCES, TRUNCATED_PATHS,
 };
+use crate::{cost, hard};
 
 /// Chapter 12's program.
 pub struct PathTracing;
 
 /// The same as a value, compiled here once for all who run it.
 pub static PROGRAM: Entry = Entry::of::<PathTracing>();
+
+/// A scene that can be drawn.
+pub struct Subject {
+    stage: Stage<Smooth>,
+    warnings: Vec<String>,
+}
 
 /// The effects this chapter can simulate.
 pub const SKILLS: &[Skill] = &[
@@ -56,20 +63,25 @@ impl Chapter for PathTracing {
     const EVENTS: &'static [Event] = EVENTS;
 
     type Knobs = Knobs;
-    type Scene = Stage<Smooth>;
+    type Scene = Subject;
 
-    fn build(name: &str, knobs: &Knobs) -> Result<Stage<Smooth>, Failure> {
-        let mut model = scenes::named(name, knobs.albedo.0)?;
+    fn build(name: &str, knobs: &Knobs) -> Result<Subject, Failure> {
+        let Described { mut model, warnings } = scenes::described(name, knobs.albedo.0)?;
         knobs.aim.apply(&mut model.view);
-        Stage::new(&model).map_err(|error| Failure::Usage(error.to_string()))
+        let stage = Stage::new(&model).map_err(|error| Failure::Usage(error.to_string()))?;
+        Ok(Subject { stage, warnings })
     }
 
-    fn calls(stage: &Stage<Smooth>, _knobs: &Knobs) -> Vec<Call> {
-        stage.calls.clone()
+    fn warnings(subject: &Subject) -> &[String] {
+        &subject.warnings
+    }
+
+    fn calls(subject: &Subject, _knobs: &Knobs) -> Vec<Call> {
+        subject.stage.calls.clone()
     }
 
     fn draw<T: Tally>(
-        stage: &Stage<Smooth>,
+        Subject { stage, .. }: &Subject,
         plan: &Plan,
         settings: &Settings,
         knobs: &Knobs,
@@ -77,19 +89,107 @@ impl Chapter for PathTracing {
         let Knobs { depth, .. } = *knobs;
         let shot = Shot { camera: &stage.camera, lighting: ByDirection, ending: Never, depth };
         let world = stage.world();
+        // ANCHOR: narrow
         let specular =
             [Effect::MirrorReflection, Effect::Refraction].map(|effect| plan.simulates(effect));
         match world.narrowed(Smooth::lambert) {
             Some(matte) if specular == [false; 2] => shot.draw(&matte, plan, settings),
             _ => shot.draw(&world, plan, settings),
         }
+        // ANCHOR_END: narrow
     }
 
     fn cost() -> Vec<Experiment<'static>> {
-        Vec::new()
+        cost::experiments()
     }
 
     fn hard() -> Vec<Case> {
-        Vec::new()
+        hard::CASES.to_vec()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use clap::Parser;
+    use common::chapter::Chapter;
+    use common::plan::{Plan, Simulate};
+    use common::render::{Rendering, Settings};
+    use common::tally::Counts;
+
+    use super::{PathTracing, SKILLS};
+    use crate::knobs::Knobs;
+    use crate::tracer::{BOUNCES, LAMPS_MET, SKY_SEEN, SPECULAR_BOUNCES, TRUNCATED_PATHS};
+
+    #[derive(Parser)]
+    struct Options {
+        #[command(flatten)]
+        knobs: Knobs,
+    }
+
+    fn knobs(options: &[&str]) -> Knobs {
+        let all = std::iter::once(&"path-tracing").chain(options);
+        Options::try_parse_from(all).unwrap_or_else(|error| panic!("{error}")).knobs
+    }
+
+    fn drawn(
+        name: &str,
+        options: &[&str],
+        simulate: Simulate,
+        threads: usize,
+    ) -> Rendering<Counts> {
+        let knobs = knobs(options);
+        let subject = PathTracing::build(name, &knobs).unwrap_or_else(|_| panic!("{name}"));
+        let plan = Plan::new(&PathTracing::calls(&subject, &knobs), SKILLS, simulate);
+        let settings = Settings { width: 64, height: 48, spp: 4, threads, ..Settings::default() };
+        PathTracing::draw(&subject, &plan, &settings, &knobs)
+    }
+
+    #[test]
+    fn what_is_not_called_for_changes_no_bit_and_is_not_done() {
+        let skipped = [
+            ("cornell", &[SKY_SEEN, SPECULAR_BOUNCES][..]),
+            ("cornell-glass", &[SKY_SEEN][..]),
+            ("bunny", &[LAMPS_MET, SPECULAR_BOUNCES][..]),
+            ("dark", &[LAMPS_MET, SKY_SEEN, SPECULAR_BOUNCES, BOUNCES][..]),
+            ("empty", &[LAMPS_MET, SKY_SEEN, BOUNCES][..]),
+        ];
+        for (name, events) in skipped {
+            let needed = drawn(name, &[], Simulate::Needed, 1);
+            let all = drawn(name, &[], Simulate::All, 3);
+            assert_eq!(needed.film.hash(), all.film.hash(), "{name}");
+            assert_eq!(needed.film.nonfinite, 0, "{name}");
+            for event in events {
+                assert_eq!(needed.tally.of(*event), 0, "{name}: {}", event.name());
+            }
+        }
+    }
+
+    #[test]
+    fn every_pixel_of_a_furnace_is_the_same() {
+        for name in ["furnace", "furnace-ball"] {
+            let options = ["--albedo", "0.5", "--depth", "30"];
+            let film = drawn(name, &options, Simulate::Needed, 0).film;
+            let wrong =
+                film.pixels.iter().filter(|pixel| (**pixel - 2.0).abs().max_element() > 1e-5);
+            assert_eq!(wrong.count(), 0, "{name}");
+        }
+    }
+
+    #[test]
+    fn without_depth_only_lamps_are_seen() {
+        let film = drawn("cornell", &["--depth", "0"], Simulate::Needed, 0);
+        assert_eq!(film.tally.of(BOUNCES), 0);
+        assert!(film.tally.of(LAMPS_MET) > 0 && film.tally.of(TRUNCATED_PATHS) > 0);
+        assert!(film.film.pixels.iter().any(|pixel| pixel.x > 40.0));
+    }
+
+    #[test]
+    fn no_light_is_black_and_an_eye_in_a_wall_is_no_error() {
+        let dark = drawn("dark", &[], Simulate::All, 0).film;
+        assert!(dark.pixels.iter().all(|pixel| pixel.max_element() == 0.0));
+        let inside = ["--eye", "278,273,559.2", "--look-at", "278,273,600"];
+        assert_eq!(drawn("cornell", &inside, Simulate::Needed, 0).film.nonfinite, 0);
+        let inside = ["--eye", "185,80,169", "--look-at", "186,80,100"];
+        assert_eq!(drawn("cornell-glass", &inside, Simulate::Needed, 0).film.nonfinite, 0);
     }
 }

@@ -4,6 +4,8 @@ use common::film::Color;
 use glam::Vec3;
 use ray_casting::sphere::Sphere;
 
+use crate::bsdf::MaterialError;
+
 // ANCHOR: part
 /// A thing in a scene.
 #[derive(Clone, Debug, PartialEq)]
@@ -71,9 +73,57 @@ impl Emission {
         self.radiance != Color::ZERO
     }
 
+    /// # Errors
+    /// Radiance that is not finite or below 0.
+    pub fn check(&self) -> Result<(), MaterialError> {
+        if is_light(self.radiance) { Ok(()) } else { Err(MaterialError::Emission) }
+    }
+
     /// What it sends out on the side of a direction whose height over the surface is `z`.
     #[inline]
     pub fn towards(&self, z: f32) -> Color {
         if z > 0.0 || self.both_sides { self.radiance } else { Color::ZERO }
+    }
+}
+
+/// Whether it is an amount of light.
+pub(crate) fn is_light(radiance: Color) -> bool {
+    radiance.to_array().iter().all(|part| part.is_finite() && *part >= 0.0)
+}
+
+#[cfg(test)]
+mod tests {
+    use common::film::Color;
+    use glam::Vec3;
+
+    use super::{Emission, Form, Part};
+
+    #[test]
+    fn one_side_glows_or_both() {
+        let one = Emission { radiance: Color::new(1.0, 2.0, 3.0), both_sides: false };
+        assert_eq!(one.towards(0.1), one.radiance);
+        assert_eq!([one.towards(-0.1), one.towards(0.0)], [Color::ZERO; 2]);
+        assert_eq!(Emission { both_sides: true, ..one }.towards(-0.1), one.radiance);
+        assert!(one.glows() && !Emission::default().glows());
+    }
+
+    #[test]
+    fn light_is_a_finite_amount() {
+        let check =
+            |red| Emission { radiance: Color::new(red, 1.0, 0.0), both_sides: true }.check();
+        assert!(check(0.0).is_ok() && check(1e30).is_ok());
+        assert!([f32::NAN, f32::INFINITY, -0.5].iter().all(|&red| check(red).is_err()));
+    }
+
+    #[test]
+    fn a_quad_is_two_triangles_that_face_one_way() {
+        let corners = [[0.0, 0.0], [2.0, 0.0], [2.0, 3.0], [0.0, 3.0]];
+        let form = Form::quad(corners.map(|[x, y]| Vec3::new(x, y, 5.0)));
+        let Form::Triangles(triangles) = &form else { panic!("triangles") };
+        for [a, b, c] in triangles {
+            assert_eq!((*b - *a).cross(*c - *a), 6.0 * Vec3::Z);
+        }
+        let part = Part::dark(form.clone(), 3).map(|material| material + 1);
+        assert_eq!((part.form, part.material), (form, 4));
     }
 }

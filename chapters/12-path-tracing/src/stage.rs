@@ -6,7 +6,7 @@ use ray_casting::camera::{Camera, CameraError};
 
 use crate::bsdf::{Material, MaterialError};
 use crate::model::Model;
-use crate::part::Part;
+use crate::part::{Part, is_light};
 use crate::space::Space;
 use crate::world::{Surface, World};
 
@@ -77,12 +77,7 @@ impl<M: Material> Stage<M> {
 
 fn check<M: Material>(part: &Part<M>) -> Result<(), MaterialError> {
     part.material.check()?;
-    if is_light(part.emission.radiance) { Ok(()) } else { Err(MaterialError::Emission) }
-}
-
-/// Whether it is an amount of light.
-fn is_light(radiance: Color) -> bool {
-    radiance.to_array().iter().all(|part| part.is_finite() && *part >= 0.0)
+    part.emission.check()
 }
 
 // ANCHOR: calls
@@ -112,3 +107,75 @@ pub fn calls<M: Material>(model: &Model<M>) -> Vec<Call> {
     calls
 }
 // ANCHOR_END: calls
+
+#[cfg(test)]
+mod tests {
+    use common::film::Color;
+    use common::plan::Effect;
+    use glam::Vec3;
+    use ray_casting::camera::CameraError;
+
+    use super::{Stage, StageError};
+    use crate::bsdf::MaterialError;
+    use crate::furnace;
+    use crate::lambert::Lambert;
+    use crate::mirror::Mirror;
+    use crate::model::Model;
+    use crate::smooth::Smooth;
+
+    fn refused(change: impl FnOnce(&mut Model<Smooth>)) -> StageError {
+        let mut model = furnace::shell(0.5);
+        change(&mut model);
+        Stage::new(&model).expect_err("it can't be")
+    }
+
+    #[test]
+    fn materials_that_make_light_are_refused() {
+        let material = |reflectance| {
+            refused(|model| model.parts[1].material = Smooth::Lambert(Lambert { reflectance }))
+        };
+        let error = MaterialError::Reflectance;
+        for red in [1.001, -0.1, f32::NAN, f32::INFINITY] {
+            let found = material(Color::new(red, 0.5, 0.5));
+            assert_eq!(found, StageError::Part { index: 1, error });
+        }
+        let mirror = Smooth::Mirror(Mirror { reflectance: Color::new(0.0, 2.0, 0.0) });
+        let found = refused(|model| model.parts[0].material = mirror);
+        assert!(found.to_string().starts_with("thing 0 of the scene: the reflectance"), "{found}");
+    }
+
+    #[test]
+    fn light_that_is_no_amount_is_refused() {
+        for blue in [f32::NAN, f32::INFINITY, -1.0] {
+            let light = Color::new(1.0, 1.0, blue);
+            let found = refused(|model| model.parts[1].emission.radiance = light);
+            assert_eq!(found, StageError::Part { index: 1, error: MaterialError::Emission });
+            assert_eq!(refused(|model| model.sky = light), StageError::Sky);
+        }
+    }
+
+    #[test]
+    fn a_view_of_nothing_is_refused() {
+        let found = refused(|model| model.view.target = model.view.eye);
+        assert!(matches!(found, StageError::View(CameraError::Direction)), "{found:?}");
+        let found = refused(|model| model.view.eye = Vec3::NAN);
+        assert!(found.to_string().starts_with("no picture"), "{found}");
+    }
+
+    #[test]
+    fn a_scene_calls_for_what_is_in_it() {
+        let effects = |model: &Model<Smooth>| -> Vec<Effect> {
+            super::calls(model).iter().map(|call| call.effect).collect()
+        };
+        let mut model = furnace::shell(0.5);
+        let seen = [Effect::PrimaryVisibility, Effect::IndirectLight, Effect::AreaLights];
+        assert_eq!(effects(&model), seen);
+        model.parts[1].emission.radiance = Color::ZERO;
+        model.parts[0].material = Smooth::BLACK;
+        model.sky = Color::ONE;
+        assert_eq!(effects(&model), [Effect::PrimaryVisibility, Effect::EnvironmentLight]);
+        model.parts.clear();
+        model.sky = Color::ZERO;
+        assert!(effects(&model).is_empty());
+    }
+}
