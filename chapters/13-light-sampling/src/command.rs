@@ -21,8 +21,11 @@ use shadows::visibility::{BLOCKED_RAYS, SHADOW_RAYS};
 use triangles::brute::TRIANGLE_TESTS;
 
 use crate::by_light::{ByLight, LIGHT_SAMPLES};
-use crate::knobs::Knobs;
+use crate::cost;
+use crate::hard;
+use crate::knobs::{Counting, Options};
 use crate::lights::Lights;
+use crate::naive::{Counted, Rule};
 use crate::scenes::{self, SCENES};
 
 /// Chapter 13's program.
@@ -54,16 +57,17 @@ impl Chapter for LightSampling {
     const SKILLS: &'static [Skill] = SKILLS;
     const EVENTS: &'static [Event] = EVENTS;
 
-    type Knobs = Knobs;
+    type Knobs = Options;
     type Scene = Stage<Smooth>;
 
-    fn build(name: &str, knobs: &Knobs) -> Result<Stage<Smooth>, Failure> {
-        let mut model = scenes::named(name, knobs.path.albedo.0)?;
-        knobs.path.aim.apply(&mut model.view);
+    fn build(name: &str, knobs: &Options) -> Result<Stage<Smooth>, Failure> {
+        let path = &knobs.light.path;
+        let mut model = scenes::named(name, path.albedo.0)?;
+        path.aim.apply(&mut model.view);
         Stage::new(&model).map_err(|error| Failure::Usage(error.to_string()))
     }
 
-    fn calls(stage: &Stage<Smooth>, _knobs: &Knobs) -> Vec<Call> {
+    fn calls(stage: &Stage<Smooth>, _knobs: &Options) -> Vec<Call> {
         stage.calls.clone()
     }
 
@@ -71,7 +75,7 @@ impl Chapter for LightSampling {
         stage: &Stage<Smooth>,
         plan: &Plan,
         settings: &Settings,
-        knobs: &Knobs,
+        knobs: &Options,
     ) -> Rendering<T> {
         let world = stage.world();
         let specular =
@@ -83,11 +87,11 @@ impl Chapter for LightSampling {
     }
 
     fn cost() -> Vec<Experiment<'static>> {
-        Vec::new()
+        cost::experiments()
     }
 
     fn hard() -> Vec<Case> {
-        Vec::new()
+        hard::CASES.to_vec()
     }
 }
 
@@ -97,15 +101,24 @@ fn lit<B: Bsdf, T: Tally>(
     stage: &Stage<Smooth>,
     plan: &Plan,
     settings: &Settings,
-    knobs: &Knobs,
+    knobs: &Options,
 ) -> Rendering<T> {
-    let (camera, ending, depth) = (&stage.camera, Never, knobs.path.depth);
-    match knobs.lighting.way() {
-        Some(way) if plan.simulates(Effect::AreaLights) => {
-            let lights = Lights::new(world.space, &world.surfaces, knobs.lamps.into(), way);
-            let lighting = ByLight { lights: &lights };
-            Shot { camera, lighting, ending, depth }.draw(world, plan, settings)
-        }
-        _ => Shot { camera, lighting: ByDirection, ending, depth }.draw(world, plan, settings),
-    }
+    let Options { met, light } = knobs;
+    let way = light.lighting.way().filter(|_| plan.simulates(Effect::AreaLights));
+    let Some(way) = way else {
+        return shot(stage, knobs, ByDirection).draw(world, plan, settings);
+    };
+    let lights = Lights::new(world.space, &world.surfaces, light.lamps.into(), way);
+    let lighting = ByLight { lights: &lights };
+    let rule = match met {
+        Counting::Once => return shot(stage, knobs, lighting).draw(world, plan, settings),
+        Counting::Camera => Rule::OnlyFrom(stage.camera.eye()),
+        Counting::Twice => Rule::Always,
+    };
+    shot(stage, knobs, Counted { lighting, rule }).draw(world, plan, settings)
+}
+
+/// How the scene is drawn with this way of looking for light.
+fn shot<'a, L>(stage: &'a Stage<Smooth>, knobs: &Options, lighting: L) -> Shot<'a, L, Never> {
+    Shot { camera: &stage.camera, lighting, ending: Never, depth: knobs.light.path.depth }
 }

@@ -6,7 +6,31 @@ use path_tracing::knobs::Knobs as PathKnobs;
 use crate::lamp::Way;
 use crate::lights::Choice;
 
-/// The options of this chapter alone.
+/// The options of this chapter's program.
+#[derive(Clone, Copy, Debug, Args)]
+#[group(skip)]
+pub struct Options {
+    /// What counts of a lamp that a path comes upon by itself, though lamps are looked for
+    #[arg(long, value_enum, default_value_t)]
+    pub met: Counting,
+    /// Those that later chapters share.
+    #[command(flatten)]
+    pub light: Knobs,
+}
+
+/// What counts of a lamp that a path comes upon by itself.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub enum Counting {
+    /// What could not be looked for.
+    #[default]
+    Once,
+    /// What the eye sees, and no more: the report's rule, wrong for mirrors and glass.
+    Camera,
+    /// All of it, some for the second time: wrong for what is matte.
+    Twice,
+}
+
+/// The options of light that is looked for.
 #[derive(Clone, Copy, Debug, Args)]
 #[group(skip)]
 pub struct Knobs {
@@ -60,5 +84,20 @@ impl From<LampChoice> for Choice {
             LampChoice::Power => Self::Power,
             LampChoice::Uniform => Self::Uniform,
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{LampChoice, LightingChoice};
+    use crate::lamp::Way;
+    use crate::lights::Choice;
+
+    #[test]
+    fn what_is_said_is_what_is_done() {
+        let ways = [LightingChoice::Area, LightingChoice::SolidAngle, LightingChoice::Direction];
+        assert_eq!(ways.map(LightingChoice::way), [Some(Way::Area), Some(Way::SolidAngle), None]);
+        let choices: [Choice; 2] = [LampChoice::Power.into(), LampChoice::Uniform.into()];
+        assert_eq!(choices, [Choice::Power, Choice::Uniform]);
     }
 }

@@ -104,6 +104,11 @@ impl Lights {
         self.lamp(piece).is_some_and(|(_lamp, probability)| probability > 0.0)
     }
 
+    /// The probability that the piece is looked at; `None` for what is no lamp.
+    pub fn probability(&self, piece: u32) -> Option<f32> {
+        self.lamp(piece).map(|(_lamp, probability)| probability)
+    }
+
     /// The lamps.
     pub fn lamps(&self) -> &[Lamp] {
         &self.lamps
@@ -117,7 +122,7 @@ impl Lights {
     /// The lamp of a piece, and the probability that it is chosen.
     #[inline]
     fn lamp(&self, piece: u32) -> Option<(&Lamp, f32)> {
-        let index = self.of_piece[piece as usize];
+        let index = *self.of_piece.get(piece as usize)?;
         let lamp = self.lamps.get(index as usize)?;
         Some((lamp, self.table.as_ref()?.probability(index as usize)))
     }
@@ -129,5 +134,104 @@ impl LightSample {
     #[inline]
     pub fn hit(&self) -> &Hit {
         &self.point.hit
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use common::film::Color;
+    use common::tally::Off;
+    use glam::Vec3;
+    use path_tracing::part::{Emission, Form, Part};
+    use path_tracing::random::Random;
+    use path_tracing::smooth::Smooth;
+    use path_tracing::space::Space;
+    use path_tracing::world::Surface;
+    use ray_casting::ray::Ray;
+
+    use super::{Choice, Lights};
+    use crate::lamp::Way;
+
+    /// Squares of side 2 at heights 3 and 5 that shine down, the second three times as bright, and a
+    /// ball between them that shines not at all.
+    fn scene() -> (Space, Vec<Surface<Smooth>>) {
+        let square = |x: f32, y: f32, radiance: f32| {
+            let corners = [[1.0, -1.0], [1.0, 1.0], [-1.0, 1.0], [-1.0, -1.0]];
+            let form = Form::quad(corners.map(|[dx, dz]| Vec3::new(x + dx, y, dz)));
+            Part::glowing(form, Smooth::BLACK, Color::splat(radiance))
+        };
+        let ball = Part::dark(Form::ball(Vec3::new(20.0, 0.0, 0.0), 0.5), Smooth::BLACK);
+        of(vec![square(-2.0, 3.0, 1.0), square(2.0, 5.0, 3.0), ball])
+    }
+
+    fn of(parts: Vec<Part<Smooth>>) -> (Space, Vec<Surface<Smooth>>) {
+        let surface = |part: &Part<_>| Surface { bsdf: part.material, emission: part.emission };
+        (Space::new(&parts), parts.iter().map(surface).collect())
+    }
+
+    /// *By hand:* four triangles of area 2; of the power, 1/8 each for the first square's two and 3/8
+    /// each for the second's.
+    #[test]
+    fn each_as_often_as_its_power_says() {
+        let (space, surfaces) = scene();
+        let probabilities = |choice| {
+            let lights = Lights::new(&space, &surfaces, choice, Way::Area);
+            [0, 1, 2, 3, 4].map(|piece| lights.probability(piece))
+        };
+        let right = [Some(0.125), Some(0.125), Some(0.375), Some(0.375), None];
+        assert_eq!(probabilities(Choice::Power), right);
+        let alike = [Some(0.25), Some(0.25), Some(0.25), Some(0.25), None];
+        assert_eq!(probabilities(Choice::Uniform), alike);
+    }
+
+    /// MI-05: the density of what a path meets in the sampled direction is that of the sample.
+    #[test]
+    fn the_density_of_what_is_met_is_that_of_the_sample() {
+        let (space, surfaces) = scene();
+        let from = Vec3::new(0.3, 0.1, -0.2);
+        for (choice, way) in [(Choice::Power, Way::Area), (Choice::Uniform, Way::SolidAngle)] {
+            let lights = Lights::new(&space, &surfaces, choice, way);
+            let mut met_again = 0;
+            for trial in 0..2000 {
+                let random = Random::of_trial(1320, trial);
+                let sample = lights.sample(from, &random).expect("in sight");
+                let ray = Ray { origin: from, direction: sample.point.direction };
+                let met = space.nearest(&ray, &mut Off).expect("the lamp");
+                // On the edge between two triangles either may be met.
+                met_again += u32::from((lights.pdf(from, &met) / sample.pdf - 1.0).abs() < 1e-4);
+            }
+            assert!(met_again >= 1998, "{met_again}");
+        }
+    }
+
+    #[test]
+    fn nothing_glows() {
+        let (space, surfaces) = of(vec![Part::dark(Form::ball(Vec3::ZERO, 1.0), Smooth::BLACK)]);
+        let lights = Lights::new(&space, &surfaces, Choice::Power, Way::Area);
+        assert_eq!(lights.sample(3.0 * Vec3::X, &Random::of_trial(1321, 0)), None);
+        assert!(lights.lamps().is_empty() && !lights.can_choose(0));
+    }
+
+    /// LS-10 and LS-11: lamps that can't be chosen are found by direction, and counted.
+    #[test]
+    fn lamps_without_area_or_power_are_left_to_chance() {
+        let glow = |center, radius, radiance: f32| {
+            let emission = Emission { radiance: Color::splat(radiance), both_sides: false };
+            Part { form: Form::ball(center, radius), material: Smooth::BLACK, emission }
+        };
+        let parts = vec![
+            glow(Vec3::ZERO, 1.0, 1e30),
+            glow(5.0 * Vec3::X, 1.0, 1e-30),
+            glow(9.0 * Vec3::X, 0.0, 1.0),
+        ];
+        let (space, surfaces) = of(parts);
+        let lights = Lights::new(&space, &surfaces, Choice::Power, Way::Area);
+        assert_eq!([0, 1, 2].map(|piece| lights.can_choose(piece)), [true, false, false]);
+        assert_eq!((lights.lamps().len(), lights.left_out()), (2, 1));
+        // More light than an f32 has numbers for: no table, and all is left to chance.
+        let (space, surfaces) = of(vec![glow(Vec3::ZERO, 1e4, 3e38)]);
+        let lights = Lights::new(&space, &surfaces, Choice::Power, Way::Area);
+        assert!(!lights.can_choose(0));
+        assert_eq!(lights.sample(3e4 * Vec3::X, &Random::of_trial(1322, 0)), None);
     }
 }
