@@ -1,0 +1,43 @@
+//! Uniform points of the unit disk.
+
+use std::f32::consts::{FRAC_PI_2, FRAC_PI_4, PI, TAU};
+
+use common::math::{cos, sin};
+use glam::Vec2;
+
+/// The density per area: one over the disk's area.
+pub const DENSITY: f32 = 1.0 / PI;
+
+// ANCHOR: polar
+/// By radius and angle: a ring of radius r has a length in proportion to r, so r is a square root.
+#[inline]
+pub fn polar(u: Vec2) -> Vec2 {
+    u.x.sqrt() * direction(TAU * u.y)
+}
+
+/// The unit vector at `angle`, in radians.
+#[inline]
+pub fn direction(angle: f32) -> Vec2 {
+    Vec2::new(cos(angle), sin(angle))
+}
+// ANCHOR_END: polar
+
+// ANCHOR: concentric
+/// The same, such that squares around the middle become circles: neighbours stay neighbours, and
+/// points that were spread evenly stay so.
+///
+/// Shirley and Chiu, "A low distortion map between disk and square" (Journal of Graphics Tools 2(3),
+/// 1997).
+#[inline]
+pub fn concentric(u: Vec2) -> Vec2 {
+    let square = 2.0 * u - Vec2::ONE;
+    if square == Vec2::ZERO {
+        return Vec2::ZERO;
+    }
+    if square.x.abs() > square.y.abs() {
+        square.x * direction(FRAC_PI_4 * (square.y / square.x))
+    } else {
+        square.y * direction(FRAC_PI_2 - FRAC_PI_4 * (square.x / square.y))
+    }
+}
+// ANCHOR_END: concentric
