@@ -1,0 +1,12 @@
+//! What accuracy costs in time.
+
+mod depth;
+mod sight;
+mod survival;
+
+use common::cost::Experiment;
+
+/// The chapter's experiments.
+pub fn experiments() -> Vec<Experiment<'static>> {
+    [survival::experiment(), depth::experiment()].into_iter().flatten().collect()
+}
