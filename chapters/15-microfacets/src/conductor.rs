@@ -128,3 +128,27 @@ impl Material for RoughConductor {
 pub fn check_roughness(alpha: f32) -> Result<(), MaterialError> {
     if (0.0..=1.0).contains(&alpha) { Ok(()) } else { Err(MaterialError::Roughness) }
 }
+
+#[cfg(test)]
+mod tests {
+    use glam::Vec3;
+    use path_tracing::bsdf::Bsdf;
+
+    use super::{PERFECT, RoughConductor, reflected_density};
+    use crate::facets::Facets;
+
+    #[test]
+    fn by_hand() {
+        let metal = RoughConductor { metal: PERFECT, facets: Facets::new(0.5) };
+        let straight = metal.eval(Vec3::Z, Vec3::Z);
+        assert!((straight - 0.318_310).abs().max_element() < 1e-5, "{straight}");
+    }
+
+    #[test]
+    fn jacobian_by_hand() {
+        let (facets, normal) = (Facets::new(0.5), Vec3::new(0.6, 0.0, 0.8));
+        let ratio = facets.density(Vec3::Z, normal) / reflected_density(&facets, Vec3::Z, normal);
+        assert!((ratio - 3.2).abs() < 1e-5, "{ratio}");
+        assert_eq!(reflected_density(&facets, Vec3::NEG_X, normal), 0.0);
+    }
+}

@@ -172,6 +172,7 @@ impl RoughDielectric {
         let density = self.facets.ggx.density(passage.normal);
         Some(through * density * visibility * passage.facing * passage.stretched(&side))
     }
+    // ANCHOR_END: refracted
 
     #[inline]
     fn density_refracted(&self, outgoing: Vec3, incoming: Vec3) -> Option<f32> {
@@ -203,7 +204,6 @@ impl Passage {
         facets.density(outgoing, self.normal) * self.stretched(side)
     }
 }
-// ANCHOR_END: refracted
 
 impl Side {
     /// F.
@@ -255,5 +255,38 @@ impl Material for RoughDielectric {
 
     fn reflects(&self) -> bool {
         true
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use fresnel::index::Index;
+    use glam::Vec3;
+    use path_tracing::bsdf::Bsdf;
+    use path_tracing::glass::Glass;
+    use path_tracing::random::Random;
+
+    use super::RoughDielectric;
+    use crate::facets::Facets;
+
+    #[test]
+    fn by_hand() {
+        let glass = RoughDielectric { index: Index::GLASS, facets: Facets::new(0.5) };
+        let through = glass.eval(Vec3::Z, Vec3::NEG_Z).x;
+        assert!((through - 11.000_79).abs() < 1e-3, "{through}");
+        // Out again: a density in the air has 2.25 times the steradians.
+        let back = glass.eval(Vec3::NEG_Z, Vec3::Z).x;
+        assert!((through / back - 2.25).abs() < 1e-4, "{back}");
+    }
+
+    #[test]
+    fn glass_that_hardly_bends_light_is_clear() {
+        for (index, alpha) in [(1.0, 1.0), (1.0001, 0.9), (1.5, 0.0), (1.5, 1e-8)] {
+            let index = Index::new(index).expect("an index");
+            let glass = RoughDielectric { index, facets: Facets::new(alpha) };
+            let (outgoing, random) = (Vec3::new(0.6, 0.0, 0.8), Random::of_trial(1510, 0));
+            assert_eq!(glass.sample(outgoing, &random), Glass { index }.sample(outgoing, &random));
+            assert!(!glass.spreads() && glass.eval(outgoing, -outgoing).x == 0.0);
+        }
     }
 }

@@ -126,3 +126,28 @@ pub fn reflected(outgoing: Vec3, normal: Vec3) -> Vec3 {
 pub fn upright(direction: Vec3) -> Vec3 {
     direction.with_z(direction.z.abs())
 }
+
+#[cfg(test)]
+mod tests {
+    use glam::Vec3;
+
+    use super::{Facets, half, reflected};
+
+    #[test]
+    fn seen_and_lit_by_hand() {
+        let (facets, slanted) = (Facets::new(0.5), Vec3::new(0.6, 0.0, 0.8));
+        let over = 4.0 * slanted.z * slanted.z;
+        let both = over * facets.visibility(slanted, slanted);
+        let apart = over * facets.apart(slanted, slanted);
+        assert!((both - 0.936_329).abs() < 1e-5 && (apart - 0.935_317).abs() < 1e-5);
+    }
+
+    #[test]
+    fn reflection_by_hand() {
+        let normal = Vec3::new(0.6, 0.0, 0.8);
+        let incoming = reflected(Vec3::Z, normal);
+        assert!((incoming - Vec3::new(0.96, 0.0, 0.28)).length() < 1e-6, "{incoming}");
+        assert!(half(Vec3::Z, incoming).is_some_and(|half| (half - normal).length() < 1e-6));
+        assert_eq!(half(Vec3::X, Vec3::NEG_X), None);
+    }
+}

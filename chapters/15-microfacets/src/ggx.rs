@@ -6,8 +6,8 @@ use glam::{Vec2, Vec3, Vec3Swizzles};
 use monte_carlo::warp::disk;
 
 // ANCHOR: ggx
-/// The normals of a surface that is made of half an ellipsoid's facets: a half ball, pressed to the
-/// height `alpha`⁻¹ of its radius.
+/// The normals of a surface that is made of half an ellipsoid's facets: half a ball, pressed to
+/// `alpha` of its height.
 ///
 /// Trowbridge and Reitz, "Average irregularity representation of a rough surface for ray reflection"
 /// (1975); the name GGX is Walter, Marschner, Li and Torrance's, "Microfacet models for refraction
@@ -88,12 +88,12 @@ impl Ggx {
         let stretched = Vec3::new(self.alpha * outgoing.x, self.alpha * outgoing.y, outgoing.z);
         let view = stretched / self.stretch(outgoing);
 
-        // The reflected ray is at the height 1 - below, from 1 down to -view.z. 1 - z² and the sum of
-        // the heights are written so that nothing cancels (hard case MF-06).
+        // The reflected ray is at the height 1 - below = above - 1, from 1 down to -view.z. All is
+        // written so that nothing cancels (hard cases MF-05 and MF-06): 1 - view.z too is a square.
         let below = u.x * (1.0 + view.z);
-        let radius = (below * (2.0 - below)).max(0.0).sqrt();
-        let across = radius * disk::direction(TAU * u.y) + view.xy();
         let height = (1.0 - u.x) * (1.0 + view.z);
+        let above = height + view.xy().length_squared() / (1.0 + view.z);
+        let across = (below * above).sqrt() * disk::direction(TAU * u.y) + view.xy();
         (self.alpha * across).extend(height).normalize()
     }
 
@@ -105,4 +105,53 @@ impl Ggx {
         2.0 * facing * self.density(normal) / (outgoing.z + self.stretch(outgoing))
     }
     // ANCHOR_END: visible
+}
+
+#[cfg(test)]
+mod tests {
+    use glam::{Vec2, Vec3};
+
+    use super::Ggx;
+
+    const HALF: Ggx = Ggx { alpha: 0.5 };
+
+    fn is_near(found: f32, expected: f32) -> bool {
+        (found - expected).abs() < 1e-5
+    }
+
+    #[test]
+    fn density_by_hand() {
+        assert!(is_near(HALF.density(Vec3::Z), 1.273_240));
+        assert!(is_near(HALF.density(Vec3::new(0.6, 0.0, 0.8)), 0.294_295));
+    }
+
+    #[test]
+    fn masking_by_hand() {
+        let slanted = Vec3::new(0.6, 0.0, 0.8);
+        assert!(is_near(HALF.stretch(slanted), 0.854_400));
+        assert!(is_near(HALF.masking(slanted), 0.967_118));
+        assert_eq!(HALF.masking(Vec3::Z), 1.0);
+        // Near the horizon it is 2 z / α.
+        let grazing = HALF.masking(Vec3::new(1.0, 0.0, 1e-20));
+        assert!((grazing / 4e-20 - 1.0).abs() < 1e-6, "{grazing}");
+    }
+
+    #[test]
+    fn visible_normal_by_hand() {
+        let normal = HALF.visible_normal(Vec3::Z, Vec2::new(0.5, 0.0));
+        assert!((normal - Vec3::new(0.447_214, 0.0, 0.894_427)).length() < 1e-5, "{normal}");
+    }
+
+    #[test]
+    fn half_of_all_normals_are_steeper_than_the_roughness() {
+        let normal = Ggx { alpha: 0.3 }.normal(Vec2::new(0.5, 0.0));
+        assert!(is_near(normal.x / normal.z, 0.3));
+    }
+
+    #[test]
+    fn below_the_least_roughness_it_is_smooth() {
+        for (alpha, smooth) in [(0.0, true), (1e-8, true), (9.9e-4, true), (1e-3, false)] {
+            assert_eq!(Ggx { alpha }.is_smooth(), smooth, "{alpha}");
+        }
+    }
 }
