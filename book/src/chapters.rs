@@ -14,6 +14,12 @@ pub static CHAPTERS: &[&Entry] = &[
     &boxes::command::PROGRAM,
     &partitions::command::PROGRAM,
     &bvh::command::PROGRAM,
+    &monte_carlo::command::PROGRAM,
+    &path_tracing::command::PROGRAM,
+    &light_sampling::command::PROGRAM,
+    &russian_roulette::command::PROGRAM,
+    &microfacets::command::PROGRAM,
+    &multiple_importance::command::PROGRAM,
 ];
 
 /// The chapter that a reader calls `name`: "1", "01", "01-ray-casting" or "ray-casting".

@@ -6,7 +6,7 @@ use common::chapter::Entry;
 use serde_json::Value;
 
 /// Every chapter, in the book's order.
-pub static CHAPTERS: [&Entry; 10] = [
+pub static CHAPTERS: [&Entry; 16] = [
     &ray_casting::command::PROGRAM,
     &triangles::command::PROGRAM,
     &object_order::command::PROGRAM,
@@ -17,6 +17,12 @@ pub static CHAPTERS: [&Entry; 10] = [
     &boxes::command::PROGRAM,
     &partitions::command::PROGRAM,
     &bvh::command::PROGRAM,
+    &monte_carlo::command::PROGRAM,
+    &path_tracing::command::PROGRAM,
+    &light_sampling::command::PROGRAM,
+    &russian_roulette::command::PROGRAM,
+    &microfacets::command::PROGRAM,
+    &multiple_importance::command::PROGRAM,
 ];
 
 /// What the chapter's command line prints. Panics with the chapter's own message if it fails.

@@ -1,6 +1,6 @@
 //! Every command the README prints can be typed.
 
-use common::chapter::Failure;
+use common::chapter::{Entry, Failure};
 use tests::chapters::{CHAPTERS, print};
 use tests::program::workspace;
 
@@ -74,13 +74,24 @@ fn every_chapter_has_its_row() {
     }
 }
 
+/// The options with which `assets/README.md` draws a chapter's picture.
+fn drawn_with<'a>(assets: &'a str, chapter: &Entry) -> &'a str {
+    let start = format!("cargo run --release -p {} -- ", chapter.package());
+    let line = assets.lines().find_map(|line| line.strip_prefix(&start));
+    let options = line.and_then(|line| line.split(" --out ").next());
+    options.unwrap_or_else(|| panic!("assets/README.md does not draw {}", chapter.id))
+}
+
 /// The README's pictures are what the chapters draw today, pixel by pixel.
 #[test]
 fn the_pictures_are_the_chapters_own() {
     let folder = tempfile::tempdir().expect("a temporary folder");
+    let assets = std::fs::read_to_string(workspace().join("assets/README.md"));
+    let assets = assets.expect("there is a README");
     for chapter in &CHAPTERS {
         let new = folder.path().join("new.png");
-        print(chapter, &format!("--size 320x240 --spp 4 --out {}", new.display()));
+        let options = drawn_with(&assets, chapter);
+        print(chapter, &format!("{options} --out {}", new.display()));
         let kept = workspace().join(format!("assets/pictures/{}.png", chapter.id));
         let [kept, new] = [kept, new].map(|path| image::open(path).expect("a picture").into_rgb8());
         assert!(kept == new, "make it again: assets/README.md says how ({})", chapter.id);
