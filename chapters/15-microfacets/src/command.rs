@@ -7,12 +7,14 @@ use common::hard::Case;
 use common::plan::{Call, Effect, Plan, Skill};
 use common::render::{Rendering, Settings};
 use common::tally::{Event, Tally};
+use light_sampling::by_light::ByLight;
+use light_sampling::lights::Lights;
 use path_tracing::bsdf::Bsdf;
-use path_tracing::command::EVENTS;
 use path_tracing::shot::Shot;
 use path_tracing::stage::Stage;
-use path_tracing::strategy::{ByDirection, Never};
+use path_tracing::strategy::ByDirection;
 use path_tracing::world::World;
+use russian_roulette::command::EVENTS;
 
 use crate::finish::Finish;
 use crate::knobs::Knobs;
@@ -94,7 +96,7 @@ impl Chapter for Microfacets {
     }
 }
 
-/// The picture, of any materials.
+/// The picture of any materials, with light looked for and paths ended as the options say.
 fn lit<B: Bsdf, T: Tally>(
     world: &World<B>,
     stage: &Stage<Finish>,
@@ -102,6 +104,97 @@ fn lit<B: Bsdf, T: Tally>(
     settings: &Settings,
     knobs: &Knobs,
 ) -> Rendering<T> {
-    let (camera, ending, depth) = (&stage.camera, Never, knobs.path.depth);
-    Shot { camera, lighting: ByDirection, ending, depth }.draw(world, plan, settings)
+    let knobs = &knobs.path;
+    let (camera, ending, depth) = (&stage.camera, knobs.rule(), knobs.depth);
+    match knobs.lighting.way().filter(|_| plan.simulates(Effect::AreaLights)) {
+        Some(way) => {
+            let lights = Lights::new(world.space, &world.surfaces, knobs.lamps.into(), way);
+            let lighting = ByLight { lights: &lights };
+            Shot { camera, lighting, ending, depth }.draw(world, plan, settings)
+        }
+        None => Shot { camera, lighting: ByDirection, ending, depth }.draw(world, plan, settings),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use clap::Parser;
+    use common::chapter::Chapter;
+    use common::film::Film;
+    use common::plan::{Plan, Simulate};
+    use common::render::{Rendering, Settings};
+    use common::tally::Counts;
+    use path_tracing::tracer::SPECULAR_BOUNCES;
+
+    use super::Microfacets;
+    use crate::albedo::roughest;
+    use crate::facets::Masking;
+    use crate::knobs::Knobs;
+    use crate::scenes::SCENES;
+
+    #[derive(Parser)]
+    struct Options {
+        #[command(flatten)]
+        knobs: Knobs,
+    }
+
+    fn draw(scene: &str, options: &[&str], spp: u32, simulate: Simulate) -> Rendering<Counts> {
+        let all = std::iter::once(&"microfacets").chain(options);
+        let knobs = Options::try_parse_from(all).expect("good options").knobs;
+        let stage = Microfacets::build(scene, &knobs).expect("a scene");
+        let calls = Microfacets::calls(&stage, &knobs);
+        let plan = Plan::new(&calls, Microfacets::SKILLS, simulate);
+        let settings = Settings { width: 24, height: 24, spp, ..Settings::default() };
+        Microfacets::draw(&stage, &plan, &settings, &knobs)
+    }
+
+    fn mean(film: &Film) -> f32 {
+        film.tile_means(1, 1)[0].y
+    }
+
+    #[test]
+    fn a_picture_of_all_effects_is_the_same() {
+        for scene in SCENES.iter().filter(|scene| scene.name != "FILE.obj") {
+            let [needed, all] = [Simulate::Needed, Simulate::All]
+                .map(|simulate| draw(scene.name, &[], 1, simulate));
+            assert_eq!(needed.film.hash(), all.film.hash(), "{}", scene.name);
+        }
+        let matte = draw("cornell", &[], 1, Simulate::Needed);
+        assert_eq!(matte.tally.of(SPECULAR_BOUNCES), 0);
+    }
+
+    #[test]
+    fn both_choices_of_normals_make_the_same_picture() {
+        let of = |normals| {
+            let options = ["--normals", normals, "--roughness", "0.5"];
+            mean(&draw("rough-metals", &options, 64, Simulate::Needed).film)
+        };
+        let (visible, all) = (of("visible"), of("all"));
+        assert!((visible / all - 1.0).abs() < 0.02, "{visible} {all}");
+    }
+
+    #[test]
+    fn by_light_and_by_direction_agree_on_rough_metal() {
+        let of = |lighting, spp| {
+            let options = ["--lighting", lighting, "--roughness", "0.6"];
+            mean(&draw("rough-metals", &options, spp, Simulate::Needed).film)
+        };
+        let (light, direction) = (of("area", 64), of("direction", 1024));
+        assert!((light / direction - 1.0).abs() < 0.05, "{light} {direction}");
+    }
+
+    #[test]
+    fn in_the_middle_of_a_rough_ball_1_minus_ln_2_is_left() {
+        let options =
+            ["--roughness", "1", "--eye", "1.1,0,9", "--look-at", "1.1,0,0", "--fov", "0.5"];
+        let found = mean(&draw("lost-light", &options, 64, Simulate::Needed).film);
+        let closed = roughest(1.0, Masking::Correlated) as f32;
+        assert!((found - closed).abs() < 0.01, "{found} {closed}");
+    }
+
+    #[test]
+    fn a_perfectly_smooth_ball_loses_nothing() {
+        let film = draw("lost-light", &["--roughness", "0"], 4, Simulate::Needed).film;
+        assert!((mean(&film) - 1.0).abs() < 1e-5);
+    }
 }

@@ -3,7 +3,7 @@
 use std::str::FromStr;
 
 use clap::{Args, ValueEnum};
-use path_tracing::knobs::Knobs as PathKnobs;
+use russian_roulette::knobs::Knobs as PathKnobs;
 
 use crate::facets::{Facets, Masking, Normals};
 
@@ -20,7 +20,7 @@ pub struct Knobs {
     /// How often a facet is both seen and lit
     #[arg(long, value_enum, default_value_t)]
     pub masking: MaskingChoice,
-    /// Chapter 12's options.
+    /// Those of chapters 12 to 14.
     #[command(flatten)]
     pub path: PathKnobs,
 }

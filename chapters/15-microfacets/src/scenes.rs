@@ -1,11 +1,12 @@
-//! The chapter's scenes: its own, and chapter 12's.
+//! The chapter's scenes: its own, and those of chapters 12 and 13.
 
 mod balls;
 mod cornell;
 
 use common::chapter::{Failure, SceneName, unknown_scene};
+use light_sampling::scenes;
 use path_tracing::model::Model;
-use path_tracing::scenes;
+use triangles::scene::is_file;
 
 use crate::finish::Finish;
 
@@ -28,16 +29,16 @@ pub const SCENES: &[SceneName] = &{
     all
 };
 
-/// The scene called `name`; the furnaces' walls have this `albedo`.
+/// The scene called `name`, or that of a file; the furnaces' walls have this `albedo`.
 ///
 /// # Errors
-/// As for chapter 12's.
+/// As for chapter 13's.
 pub fn named(name: &str, albedo: f32) -> Result<Model<Finish>, Failure> {
     match name {
         "polish" => Ok(balls::polish()),
         "rough-metals" => Ok(cornell::rough_metals()),
         "lost-light" => Ok(balls::lost_light()),
-        name if scenes::SCENES.iter().any(|scene| scene.name == name) => {
+        name if is_file(name) || scenes::SCENES.iter().any(|scene| scene.name == name) => {
             Ok(scenes::named(name, albedo)?.map(Finish::from))
         }
         name => Err(unknown_scene(name, SCENES)),

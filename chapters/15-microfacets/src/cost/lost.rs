@@ -26,7 +26,7 @@ pub(super) fn experiment() -> Experiment<'static> {
         title: "Facets that reflect everything: how much of it gets lost",
         work_unit: "values of the BRDF",
         error_metric: "the part of a white sky's light that is not sent back, a sum in f64",
-        plot: Plot::ErrorOverTime("light that is lost"),
+        plot: Plot::ErrorOver { size: "roughness", error: "light that is lost" },
         methods: methods.collect(),
         note: no_note,
     }

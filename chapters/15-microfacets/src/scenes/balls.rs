@@ -18,23 +18,22 @@ const FALLING: [f32; 6] = [0.8, 0.5, 0.3, 0.15, 0.05, 0.0];
 
 /// Three rows on a checkered floor: gold, copper and glass.
 pub(super) fn polish() -> Model<Finish> {
-    let rows: [(f32, f32, fn(f32) -> Rough); 3] = [
-        (-3.0, 1.0, |alpha| Rough::metal(Metal::GOLD, alpha)),
-        (-0.6, 0.8, |alpha| Rough::metal(Metal::COPPER, alpha)),
-        (1.4, 0.6, |alpha| Rough::glass(Index::GLASS, alpha)),
-    ];
     let mut parts = floor();
-    for (z, radius, material) in rows {
-        let spacing = 2.15 * radius;
-        for (index, &alpha) in FALLING.iter().enumerate() {
-            let x = spacing * (index as f32 - 2.5);
-            let ball = Form::ball(Vec3::new(x, radius, z), radius);
-            parts.push(Part::dark(ball, material(alpha).into()));
-        }
-    }
+    parts.extend(row(-3.0, 1.0, |alpha| Rough::metal(Metal::GOLD, alpha)));
+    parts.extend(row(-0.6, 0.8, |alpha| Rough::metal(Metal::COPPER, alpha)));
+    parts.extend(row(1.4, 0.6, |alpha| Rough::glass(Index::GLASS, alpha)));
     let eye = Vec3::new(0.0, 4.6, 9.0);
     let view = View { eye, target: Vec3::new(0.0, 0.45, -1.2), up: Vec3::Y, vertical_fov: 33.0 };
     Model { parts, sky: Color::new(0.75, 0.85, 1.0), view }
+}
+
+/// Balls of this radius at the depth `z`, of the material that each roughness gives.
+fn row(z: f32, radius: f32, material: fn(f32) -> Rough) -> impl Iterator<Item = Part<Finish>> {
+    FALLING.iter().enumerate().map(move |(index, &alpha)| {
+        let x = 2.15 * radius * (index as f32 - 2.5);
+        let ball = Form::ball(Vec3::new(x, radius, z), radius);
+        Part::dark(ball, material(alpha).into())
+    })
 }
 
 /// Squares of two greys.
