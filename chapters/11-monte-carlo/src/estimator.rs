@@ -60,6 +60,15 @@ mod tests {
         assert!(z_test(&found, &Estimate::exact(8.0 / 3.0)).p_value > 1e-4, "{found:?}");
     }
 
+    /// 0.34 with a standard error of 0.002, where 1/3 is right, is 3.3 of them off: once in 1150.
+    #[test]
+    fn a_test_by_hand() {
+        let found = Estimate { mean: 0.34, standard_error: 0.002 };
+        let test = z_test(&found, &Estimate::exact(1.0 / 3.0));
+        assert!((test.statistic - 10.0 / 3.0).abs() < 1e-9);
+        assert!((1.0 / test.p_value - 1165.0).abs() < 15.0, "{test:?}");
+    }
+
     #[test]
     fn nothing_over_nothing_is_nothing() {
         assert_eq!(Sample { value: 0.0, density: 0.0 }.estimate(), 0.0);

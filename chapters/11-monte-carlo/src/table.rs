@@ -101,7 +101,7 @@ const BELOW_ONE: f32 = 1.0 - f32::EPSILON / 2.0;
 
 #[cfg(test)]
 mod tests {
-    use super::{BELOW_ONE, SLOTS, Table};
+    use super::{BELOW_ONE, Pick, SLOTS, Table};
 
     #[test]
     fn every_slot_belongs_to_the_thing_whose_probability_it_is() {
@@ -118,6 +118,14 @@ mod tests {
         }
         assert_eq!([found[0], found[2], found[5]], [0; 3]);
         assert!((f64::from(table.probability(1)) - 3.0 / 8.001).abs() < 1e-6);
+    }
+
+    /// Weights 1 and 3: a number below 1/4 picks the first, and 0.125 is half of its way.
+    #[test]
+    fn by_hand() {
+        let table = Table::new(&[1.0, 3.0]).expect("weights");
+        assert_eq!(table.pick(0.125), Pick { index: 0, probability: 0.25, rest: 0.5 });
+        assert_eq!(table.pick(0.25), Pick { index: 1, probability: 0.75, rest: 0.0 });
     }
 
     #[test]
