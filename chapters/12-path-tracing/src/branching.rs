@@ -1,7 +1,7 @@
 //! Following many directions from each surface, as the rendering equation seems to ask.
 
 use common::film::Color;
-use common::sampler::Sampler;
+use common::sampler::{Purpose, Sampler};
 use common::tally::Tally;
 use ray_casting::ray::Ray;
 
@@ -44,7 +44,7 @@ impl<B: Bsdf> Branching<'_, B> {
         let mut sum = Color::ZERO;
         for _ in 0..self.directions {
             *drawn += 1;
-            let random = Random::at(sampler, *drawn);
+            let random = of_direction(sampler, *drawn);
             let Some(sample) = surface.bsdf.sample(vertex.outgoing, &random) else { continue };
             let Some((onward, _)) = vertex.leave(&sample) else { continue };
             tally.count(BOUNCES, 1);
@@ -60,6 +60,14 @@ impl<B: Bsdf> Branching<'_, B> {
     pub fn radiance<T: Tally>(&self, ray: Ray, sampler: &Sampler, tally: &mut T) -> Color {
         self.seen(&ray, 0, &mut 0, sampler, tally)
     }
+}
+
+/// The random numbers of direction number `drawn` of a tree. There may be thousands of them, more than
+/// a path has bounces, so each is an experiment of its own.
+fn of_direction(sampler: &Sampler, drawn: u32) -> Random {
+    const TREE: Purpose = Purpose::named("direction of a tree");
+    let mut stream = sampler.stream(drawn, TREE);
+    Random::of_trial(u64::from(stream.bits()), u64::from(stream.bits()))
 }
 
 /// How many rays leave surfaces for one ray of the camera, where no path ends early:
@@ -81,8 +89,7 @@ mod tests {
     use super::{Branching, rays};
     use crate::furnace;
     use crate::stage::Stage;
-    use crate::strategy::{ByDirection, Never};
-    use crate::tracer::{BOUNCES, PathTracer};
+    use crate::tracer::BOUNCES;
 
     const RAY: Ray = Ray { origin: Vec3::new(1.5, 0.25, -0.125), direction: Vec3::X };
 
@@ -105,22 +112,6 @@ mod tests {
             let found = f64::from(branching.radiance(ray, &sampler, &mut counts).x);
             assert!((found - furnace::radiance(0.5, depth)).abs() < 1e-5);
             assert_eq!(counts.of(BOUNCES), rays(directions, depth));
-        }
-    }
-
-    #[test]
-    fn one_direction_is_a_path() {
-        let stage = Stage::new(&furnace::shell(0.8)).expect("sound");
-        let world = stage.world();
-        let branching = Branching { world: &world, directions: 1, depth: 6 };
-        let (lighting, ending) = (ByDirection, Never);
-        let tracer: PathTracer<_, _, _, true, false> =
-            PathTracer { world: &world, lighting, ending, depth: 6 };
-        for trial in 0..1000 {
-            let sampler = Sampler::new(121, trial, 0, 1);
-            let tree = branching.radiance(RAY, &sampler, &mut Off);
-            let path = tracer.radiance(RAY, &sampler, &mut Off);
-            assert!((tree - path).length() < 1e-5);
         }
     }
 

@@ -82,3 +82,69 @@ pub fn check_reflectance(reflectance: Color) -> Result<(), MaterialError> {
     let valid = reflectance.to_array().iter().all(|part| (0.0..=1.0).contains(part));
     if valid { Ok(()) } else { Err(MaterialError::Reflectance) }
 }
+
+#[cfg(test)]
+pub(crate) mod tests {
+    use common::film::Color;
+    use common::math::{cos, sin};
+    use common::stats::estimate::{Estimate, z_test};
+    use common::stats::running::Running;
+    use glam::Vec3;
+
+    use super::{Bsdf, MaterialError, check_reflectance};
+    use crate::random::Random;
+
+    /// The integral of `value` over all directions, by the midpoints of a fine grid.
+    fn integral(value: impl Fn(Vec3) -> f64) -> f64 {
+        const ROWS: u32 = 200;
+        const COLUMNS: u32 = 100;
+        let mut sum = 0.0;
+        for row in 0..ROWS {
+            let z = 2.0 * (row as f32 + 0.5) / ROWS as f32 - 1.0;
+            let radius = (1.0 - z * z).sqrt();
+            for column in 0..COLUMNS {
+                let angle = std::f32::consts::TAU * (column as f32 + 0.5) / COLUMNS as f32;
+                sum += value(Vec3::new(radius * cos(angle), radius * sin(angle), z));
+            }
+        }
+        sum * 4.0 * std::f64::consts::PI / f64::from(ROWS * COLUMNS)
+    }
+
+    /// Fails where the density isn't one, where samples don't follow it, or where their weights don't
+    /// have the mean of what is reflected.
+    pub(crate) fn check_sampling(bsdf: &impl Bsdf, outgoing: Vec3) {
+        let density = |incoming| f64::from(bsdf.pdf(outgoing, incoming));
+        assert!((integral(density) - 1.0).abs() < 1e-3, "the density's integral");
+        let values: [fn(Vec3) -> f32; 4] = [|w| w.x, |w| w.y * w.y, |w| w.z, |w| w.x * w.z];
+        for value in values {
+            let right = integral(|incoming| density(incoming) * f64::from(value(incoming)));
+            check_mean(right, |trial| {
+                let sample = bsdf.sample(outgoing, &Random::of_trial(123, trial));
+                sample.map_or(0.0, |sample| f64::from(value(sample.incoming)))
+            });
+        }
+        let reflected =
+            integral(|incoming| f64::from(bsdf.eval(outgoing, incoming).y * incoming.z.abs()));
+        check_mean(reflected, |trial| {
+            let sample = bsdf.sample(outgoing, &Random::of_trial(124, trial));
+            sample.map_or(0.0, |sample| f64::from(sample.weight.y))
+        });
+    }
+
+    fn check_mean(right: f64, sample: impl Fn(u64) -> f64) {
+        let samples: Running = (0..20_000).map(sample).collect();
+        let estimate = Estimate::of(&samples).expect("many");
+        let close = (estimate.mean - right).abs() < 1e-3;
+        let test = z_test(&estimate, &Estimate::exact(right));
+        assert!(close || test.p_value > 1e-5, "{estimate:?} is not {right}");
+    }
+
+    #[test]
+    fn a_reflectance_is_from_zero_to_one() {
+        assert!(check_reflectance(Color::new(0.0, 0.5, 1.0)).is_ok());
+        for blue in [-0.001, 1.001, f32::NAN, f32::INFINITY] {
+            let told = check_reflectance(Color::new(0.5, 0.5, blue));
+            assert_eq!(told, Err(MaterialError::Reflectance));
+        }
+    }
+}

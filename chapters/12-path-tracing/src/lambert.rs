@@ -64,3 +64,51 @@ impl Lambert {
 pub fn same_side(outgoing: Vec3, incoming: Vec3) -> bool {
     outgoing.z * incoming.z > 0.0
 }
+
+#[cfg(test)]
+mod tests {
+    use common::film::Color;
+    use glam::Vec3;
+
+    use super::{Lambert, same_side};
+    use crate::bsdf::Bsdf;
+    use crate::bsdf::tests::check_sampling;
+    use crate::random::Random;
+
+    const CLAY: Lambert = Lambert::new(0.63, 0.25, 0.05);
+
+    #[test]
+    fn directions_follow_their_density_on_both_sides() {
+        check_sampling(&CLAY, Vec3::new(0.6, 0.0, 0.8));
+        check_sampling(&CLAY, Vec3::new(0.0, 0.96, -0.28));
+    }
+
+    #[test]
+    fn the_page_s_worked_number() {
+        // A cosine of 0.8, albedo 0.25: f = 0.25/π, the density is 0.8/π, and the weight is 0.25.
+        let (outgoing, incoming) = (Vec3::Z, Vec3::new(0.6, 0.0, 0.8));
+        let value = CLAY.eval(outgoing, incoming).y;
+        let pdf = CLAY.pdf(outgoing, incoming);
+        assert!((value - 0.079_577_47).abs() < 1e-7);
+        assert!((pdf - 0.254_647_9).abs() < 1e-7);
+        assert!((value * 0.8 / pdf - 0.25).abs() < 1e-7);
+    }
+
+    #[test]
+    fn both_ways_are_the_same() {
+        for trial in 0..1000 {
+            let [one, other] = [125, 126].map(|seed| {
+                CLAY.sample(Vec3::Z, &Random::of_trial(seed, trial)).expect("it reflects").incoming
+            });
+            assert_eq!(CLAY.eval(one, other), CLAY.eval(other, one));
+            assert_eq!(CLAY.eval(one, -other), Color::ZERO, "nothing goes through");
+        }
+    }
+
+    #[test]
+    fn black_reflects_nothing() {
+        assert_eq!(Lambert::BLACK.sample(Vec3::Z, &Random::of_trial(1, 1)), None);
+        assert!(!Lambert::BLACK.spreads() && CLAY.spreads());
+        assert!(!same_side(Vec3::Z, Vec3::X), "a direction along the surface");
+    }
+}

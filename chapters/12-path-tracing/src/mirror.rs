@@ -43,3 +43,28 @@ impl Bsdf for Mirror {
 pub fn mirrored(outgoing: Vec3) -> Vec3 {
     Vec3::new(-outgoing.x, -outgoing.y, outgoing.z)
 }
+
+#[cfg(test)]
+mod tests {
+    use common::film::Color;
+    use glam::Vec3;
+
+    use super::Mirror;
+    use crate::bsdf::Bsdf;
+    use crate::random::Random;
+
+    #[test]
+    fn one_direction_on_either_side() {
+        let mirror = Mirror { reflectance: Color::new(0.9, 0.8, 0.7) };
+        for z in [0.8, -0.8] {
+            let outgoing = Vec3::new(0.36, -0.48, z);
+            let sample = mirror.sample(outgoing, &Random::of_trial(1, 1)).expect("it reflects");
+            assert_eq!(sample.incoming, Vec3::new(-0.36, 0.48, z));
+            assert_eq!((sample.weight, sample.pdf), (mirror.reflectance, 1.0));
+            assert!(sample.is_delta);
+            assert_eq!(mirror.eval(outgoing, sample.incoming), Color::ZERO);
+            assert_eq!(mirror.pdf(outgoing, sample.incoming), 0.0);
+        }
+        assert!(!mirror.spreads());
+    }
+}

@@ -25,3 +25,23 @@ impl<M> Model<M> {
         Model { parts, sky: self.sky, view: self.view }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use common::film::Color;
+
+    use crate::furnace;
+
+    #[test]
+    fn other_materials_in_the_same_place() {
+        let model = furnace::shell(0.5);
+        let named = model.clone().map(|material| material.lambert().map(|it| it.reflectance.x));
+        assert_eq!(
+            named.parts.iter().map(|it| it.material).collect::<Vec<_>>(),
+            [Some(0.5), Some(0.0)]
+        );
+        assert_eq!(named.parts[1].form, model.parts[1].form);
+        assert_eq!(named.parts[1].emission.radiance, Color::ONE);
+        assert_eq!((named.sky, named.view.eye), (model.sky, model.view.eye));
+    }
+}

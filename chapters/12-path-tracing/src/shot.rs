@@ -77,3 +77,50 @@ pub fn position(pixel: Pixel, sampler: &Sampler) -> Vec2 {
     Vec2::new(pixel.x as f32, pixel.y as f32) + Random::at(sampler, 0).pair(PIXEL_OFFSET)
 }
 // ANCHOR_END: position
+
+#[cfg(test)]
+mod tests {
+    use common::film::Color;
+    use common::plan::{Plan, Simulate};
+    use common::render::{Pixel, Settings};
+    use common::sampler::Sampler;
+    use common::tally::Counts;
+    use glam::Vec2;
+    use ray_casting::camera::CAMERA_RAYS;
+
+    use super::{Shot, position};
+    use crate::furnace;
+    use crate::model::Model;
+    use crate::smooth::Smooth;
+    use crate::stage::Stage;
+    use crate::strategy::{ByDirection, Never};
+
+    const PIXEL: Pixel = Pixel { x: 3, y: 5 };
+
+    #[test]
+    fn samples_are_spread_over_the_pixel() {
+        assert_eq!(position(PIXEL, &Sampler::new(1, 9, 0, 1)), Vec2::new(3.5, 5.5));
+        let mut quarters = [0; 4];
+        for index in 0..4 {
+            let within = position(PIXEL, &Sampler::new(1, 9, index, 4)) - Vec2::new(3.0, 5.0);
+            assert!(within.min_element() >= 0.0 && within.max_element() < 1.0);
+            let Vec2 { x, y } = (2.0 * within).floor();
+            quarters[(2.0 * y + x) as usize] += 1;
+        }
+        assert_eq!(quarters, [1; 4]);
+    }
+
+    #[test]
+    fn a_scene_of_nothing_is_its_sky() {
+        let sky = Color::new(0.1, 0.2, 0.3);
+        let model: Model<Smooth> = Model { parts: Vec::new(), sky, ..furnace::ball(0.5) };
+        let stage = Stage::new(&model).expect("sound");
+        let (camera, lighting, ending) = (&stage.camera, ByDirection, Never);
+        let shot = Shot { camera, lighting, ending, depth: 4 };
+        let settings = Settings { width: 5, height: 4, ..Settings::default() };
+        let plan = Plan::new(&stage.calls, &[], Simulate::Needed);
+        let drawn = shot.draw::<_, Counts>(&stage.world(), &plan, &settings);
+        assert!(drawn.film.pixels.iter().all(|&pixel| pixel == sky));
+        assert_eq!(drawn.tally.of(CAMERA_RAYS), 0);
+    }
+}

@@ -98,3 +98,46 @@ impl Material for Smooth {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use common::film::Color;
+    use common::plan::Effect;
+    use fresnel::index::Index;
+    use glam::Vec3;
+
+    use super::Smooth;
+    use crate::bsdf::tests::check_sampling;
+    use crate::bsdf::{Bsdf, Material};
+    use crate::glass::Glass;
+    use crate::mirror::Mirror;
+    use crate::random::Random;
+
+    const GLASS: Smooth = Smooth::Glass(Glass { index: Index::GLASS });
+    const MIRROR: Smooth = Smooth::Mirror(Mirror { reflectance: Color::splat(0.9) });
+    const MATTE: Smooth = Smooth::matte(0.5, 0.25, 0.125);
+
+    #[test]
+    fn each_answers_for_its_own_kind() {
+        let outgoing = Vec3::new(0.6, 0.0, 0.8);
+        check_sampling(&MATTE, outgoing);
+        let random = Random::of_trial(128, 1);
+        for (smooth, is_delta) in [(GLASS, true), (MIRROR, true), (MATTE, false)] {
+            let sample = smooth.sample(outgoing, &random).expect("it reflects");
+            assert_eq!(sample.is_delta, is_delta);
+            assert_eq!(smooth.spreads(), !is_delta);
+            assert_eq!(smooth.eval(outgoing, sample.incoming) == Color::ZERO, is_delta);
+            assert_eq!(smooth.pdf(outgoing, sample.incoming) == 0.0, is_delta);
+            assert!(smooth.check().is_ok() && smooth.reflects());
+            assert_eq!(smooth.lambert().is_some(), !is_delta);
+        }
+    }
+
+    #[test]
+    fn each_calls_for_its_effect() {
+        let effects = [MATTE, MIRROR, GLASS].map(|smooth| smooth.effect());
+        assert_eq!(effects, [None, Some(Effect::MirrorReflection), Some(Effect::Refraction)]);
+        assert!(!Smooth::BLACK.reflects());
+        assert!(Smooth::matte(1.5, 0.0, 0.0).check().is_err());
+    }
+}

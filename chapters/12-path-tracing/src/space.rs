@@ -143,3 +143,72 @@ impl Occluder for Space {
         self.balls.iter().any(|ball| ball.sphere.is_hit(ray, t_max))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use common::tally::{Counts, Off};
+    use glam::Vec3;
+    use ray_casting::ray::Ray;
+    use ray_casting::shape::SHAPE_TESTS;
+    use shadows::occluder::Occluder;
+
+    use super::{Piece, Space};
+    use crate::part::{Form, Part};
+
+    /// A wall at z = 5, a ball before it around z = 2, and one behind it.
+    fn space() -> Space {
+        let corners = [[-9.0, -9.0], [9.0, -9.0], [9.0, 9.0], [-9.0, 9.0]];
+        let wall = Form::quad(corners.map(|[x, y]| Vec3::new(x, y, 5.0)));
+        let balls = [2.0, 9.0].map(|z| Part::dark(Form::ball(Vec3::new(0.0, 0.0, z), 0.5), ()));
+        let [before, behind] = balls;
+        Space::new(&[before, Part::dark(wall, ()), behind])
+    }
+
+    fn along_z(x: f32) -> Ray {
+        Ray { origin: Vec3::new(x, 0.25, 0.0), direction: Vec3::Z }
+    }
+
+    #[test]
+    fn the_nearest_of_triangles_and_balls() {
+        let space = space();
+        let met = space.nearest(&along_z(0.25), &mut Off).expect("the ball");
+        assert_eq!((met.owner, met.piece), (0, 2), "after the two triangles");
+        assert!(met.hit.normal.z < 0.0 && met.hit.t < 2.0);
+        let met = space.nearest(&along_z(3.0), &mut Off).expect("the wall");
+        assert_eq!((met.owner, met.hit.t), (1, 5.0));
+        assert_eq!((met.hit.normal, met.hit.point.z), (Vec3::Z, 5.0));
+        assert!(space.nearest(&along_z(20.0), &mut Off).is_none());
+    }
+
+    #[test]
+    fn something_is_in_the_way_or_not() {
+        let space = space();
+        let mut counts = Counts::default();
+        assert!(space.blocks(&along_z(0.25), 3.0, &mut counts));
+        assert!(!space.blocks(&along_z(0.25), 1.0, &mut counts));
+        assert!(space.blocks(&along_z(3.0), 5.5, &mut counts));
+        assert!(!space.blocks(&along_z(3.0), 4.5, &mut counts));
+        assert_eq!(counts.of(SHAPE_TESTS), 6, "the wall answers before the balls are asked");
+    }
+
+    #[test]
+    fn pieces_have_their_owners() {
+        let space = space();
+        assert_eq!((space.len(), space.is_empty()), (4, false));
+        let owners: Vec<u32> = (0..4).filter_map(|it| space.piece(it)).map(|it| it.1).collect();
+        assert_eq!(owners, [1, 1, 0, 2]);
+        assert!(matches!(space.piece(0), Some((Piece::Triangle(_), 1))));
+        assert!(matches!(space.piece(3), Some((Piece::Ball(_), 2))));
+        assert_eq!(space.piece(4), None);
+    }
+
+    #[test]
+    fn nothing_is_met_in_nothing_and_on_what_has_no_area() {
+        let empty = Space::new::<()>(&[]);
+        assert!(empty.is_empty() && empty.nearest(&along_z(0.0), &mut Off).is_none());
+        let line = Form::Triangles(vec![[Vec3::ZERO, 5.0 * Vec3::Z, 9.0 * Vec3::Z]]);
+        let space = Space::new(&[Part::dark(line, ())]);
+        let ray = Ray { origin: Vec3::new(-1.0, 0.0, 3.0), direction: Vec3::X };
+        assert!(space.nearest(&ray, &mut Off).is_none());
+    }
+}

@@ -157,7 +157,7 @@ mod tests {
     #[test]
     fn a_view_of_nothing_is_refused() {
         let found = refused(|model| model.view.target = model.view.eye);
-        assert!(matches!(found, StageError::View(CameraError::Direction)), "{found:?}");
+        assert!(matches!(found, StageError::View(CameraError::NoForward)), "{found:?}");
         let found = refused(|model| model.view.eye = Vec3::NAN);
         assert!(found.to_string().starts_with("no picture"), "{found}");
     }

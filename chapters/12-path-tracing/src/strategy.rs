@@ -68,3 +68,30 @@ impl Ending for Never {
     }
 }
 // ANCHOR_END: ending
+
+#[cfg(test)]
+mod tests {
+    use common::film::Color;
+    use common::tally::Off;
+    use glam::Vec3;
+    use ray_casting::ray::Ray;
+
+    use super::{ByDirection, Ending, Lighting, Never};
+    use crate::furnace;
+    use crate::random::Random;
+    use crate::stage::Stage;
+    use crate::vertex::{Departure, Vertex};
+
+    #[test]
+    fn lamps_count_in_full_and_are_not_looked_for() {
+        let stage = Stage::new(&furnace::shell(0.5)).expect("sound");
+        let ray = Ray { origin: Vec3::new(1.5, 0.0, 0.0), direction: Vec3::X };
+        let met = stage.space.nearest(&ray, &mut Off).expect("the wall");
+        let vertex = Vertex::new(&ray, &met, &stage.surfaces[0].bsdf);
+        let random = Random::of_trial(1, 1);
+        let direct = ByDirection.direct(&stage.space, &vertex, &random, &mut Off);
+        assert_eq!(direct, Color::ZERO);
+        assert_eq!(ByDirection.share(&Departure::from_eye(&ray), &met), 1.0);
+        assert_eq!(Never.factor(Color::ZERO, 1000, &random), Some(1.0));
+    }
+}

@@ -101,3 +101,6 @@ impl<B: Bsdf, L: Lighting, E: Ending, const EMITTERS: bool, const SKY: bool>
         self.world.sky
     }
 }
+
+#[cfg(test)]
+mod tests;

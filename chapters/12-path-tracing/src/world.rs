@@ -44,3 +44,22 @@ impl<'a, B: Bsdf> World<'a, B> {
     }
 }
 // ANCHOR_END: narrowed
+
+#[cfg(test)]
+mod tests {
+    use crate::furnace;
+    use crate::lambert::Lambert;
+    use crate::smooth::Smooth;
+    use crate::stage::Stage;
+
+    #[test]
+    fn all_must_have_the_simpler_material() {
+        let stage = Stage::new(&furnace::shell(0.5)).expect("sound");
+        let world = stage.world();
+        let matte = world.narrowed(Smooth::lambert).expect("all are matte");
+        assert_eq!(matte.surfaces[0].bsdf, Lambert::new(0.5, 0.5, 0.5));
+        assert_eq!(matte.surfaces[1].emission, world.surfaces[1].emission);
+        let grey = |smooth: &Smooth| smooth.lambert().filter(|it| *it != Lambert::BLACK);
+        assert!(world.narrowed(grey).is_none(), "the lamp is black");
+    }
+}

@@ -89,8 +89,8 @@ impl Grazing {
         let frame = Frame::around(direction(&mut stream));
         let mut along = || stream.between(-100.0, 100.0);
         let point = Vec3::new(along(), along(), along());
-        // Within eight floats of the right edge of the square, which becomes the rim.
-        let edge = 1.0 - (1 + stream.bits() % 8) as f32 * f32::EPSILON / 2.0;
+        // The left edge of the square, which becomes the rim, or a float or two from it.
+        let edge = (stream.bits() % 4) as f32 * f32::EPSILON / 2.0;
         let u = Vec2::new(edge, stream.uniform());
         Self { frame, point, u, reflectance: stream.between(0.05, 1.0) }
     }
