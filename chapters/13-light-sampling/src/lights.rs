@@ -179,7 +179,11 @@ mod tests {
             [0, 1, 2, 3, 4].map(|piece| lights.probability(piece))
         };
         let right = [Some(0.125), Some(0.125), Some(0.375), Some(0.375), None];
-        assert_eq!(probabilities(Choice::Power), right);
+        for (found, right) in probabilities(Choice::Power).into_iter().zip(right) {
+            // Whole slots: the last of 2²⁴ goes to either of the two with the most.
+            let off = found.zip(right).map_or(0.0, |(found, right)| (found - right).abs());
+            assert!(found.is_some() == right.is_some() && off < 1e-6, "{found:?}");
+        }
         let alike = [Some(0.25), Some(0.25), Some(0.25), Some(0.25), None];
         assert_eq!(probabilities(Choice::Uniform), alike);
     }
