@@ -42,7 +42,7 @@ impl Claim {
 
     /// Whether a check judges this claim wrongly.
     fn misjudged_by(&self, check: fn(&[u64], &[f64]) -> bool) -> bool {
-        let samples = if self.planted == 0.05 { 100_000 } else { 2_000_000 };
+        let samples = if self.planted == 0.05 { 300_000 } else { 2_000_000 };
         let warp = |u| fit::of_direction(hemisphere::uniform(u), 0.0);
         let observed = fit::counts(self.seed, samples, warp);
         // Too much towards x, and too little away from it: in all, as much as there should be.

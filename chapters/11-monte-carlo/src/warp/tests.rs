@@ -21,11 +21,7 @@ struct Claim {
 const CAP: Cap = Cap { height: 0.3 };
 
 fn around(place: DVec2) -> f64 {
-    libm_cos(TAU * place.y)
-}
-
-fn libm_cos(angle: f64) -> f64 {
-    f64::from(common::math::cos(angle as f32))
+    f64::from(common::math::cos((TAU * place.y) as f32))
 }
 
 /// The density of the corner weights (b, c): 2 in the triangle. A midpoint on its edge counts half.
