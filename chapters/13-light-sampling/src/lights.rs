@@ -141,9 +141,10 @@ impl LightSample {
 mod tests {
     use common::film::Color;
     use common::tally::Off;
-    use glam::Vec3;
+    use glam::{Vec2, Vec3};
     use path_tracing::part::{Emission, Form, Part};
     use path_tracing::random::Random;
+    use path_tracing::scenes::{CEILING_LIGHT, light};
     use path_tracing::smooth::Smooth;
     use path_tracing::space::Space;
     use path_tracing::world::Surface;
@@ -206,6 +207,21 @@ mod tests {
             }
             assert!(met_again >= 1998, "{met_again}");
         }
+    }
+
+    /// *By hand:* the lamp of the Cornell box is 130 wide and 105 deep, and 548.7 above the floor. Seen
+    /// from below its middle, that is chosen with 548.7² / 13650 = 22.06 per steradian.
+    #[test]
+    fn below_the_lamp_of_the_box() {
+        let (space, surfaces) = of(vec![light(CEILING_LIGHT)]);
+        let lights = Lights::new(&space, &surfaces, Choice::Power, Way::Area);
+        let from = Vec3::new(278.0, 0.0, 279.5);
+        // The middle is on the edge that both triangles share.
+        let middle =
+            lights.lamps()[0].point(from, Way::Area, Vec2::new(0.25, 1.0)).expect("in sight");
+        assert!((middle.direction - Vec3::Y).length() < 1e-6, "{middle:?}");
+        let pdf = 0.5 * middle.pdf;
+        assert!((pdf - 22.06).abs() < 0.005, "{pdf}");
     }
 
     #[test]

@@ -187,6 +187,8 @@ mod tests {
 
     #[test]
     fn they_are_wrong_where_they_are_needed() {
+        let ratio = cap_height(4096.0) * 2.0 * 4096.0 * 4096.0;
+        assert!((ratio - 2.0).abs() < 1e-6, "twice what it should be: {ratio}");
         assert_eq!(cap_height(6000.0), 0.0);
         assert!(renormalised(0.7, 0.4)[0] < 0.0);
         assert!(!density(Vec3::X, Vec3::ZERO, Vec3::Z, 1.0).is_finite());
