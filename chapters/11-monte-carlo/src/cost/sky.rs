@@ -12,7 +12,7 @@ use crate::sky;
 
 /// Over so many seeds an error is known to a 22nd part.
 const SEEDS: u64 = 256;
-const COUNTS: [u32; 4] = [16, 64, 256, 1024];
+const COUNTS: [u32; 3] = [16, 128, 1024];
 /// Samples in a run.
 const WORK: u32 = 1 << 16;
 
