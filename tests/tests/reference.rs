@@ -78,7 +78,9 @@ fn disagreement(ours: &Means, theirs: &Means) -> Option<String> {
         for color in 0..3 {
             let (one, other) = (ours[color], theirs[color]);
             if !one.agrees(&other, each) {
-                return Some(format!("tile {place}, colour {color}: ours {one:?}, theirs {other:?}"));
+                return Some(format!(
+                    "tile {place}, colour {color}: ours {one:?}, theirs {other:?}"
+                ));
             }
         }
     }
