@@ -120,7 +120,7 @@ fn lit<B: Bsdf, T: Tally>(
 mod tests {
     use clap::Parser;
     use common::chapter::Chapter;
-    use common::film::Film;
+    use common::film::{Color, Film};
     use common::plan::{Plan, Simulate};
     use common::render::{Rendering, Settings};
     use common::tally::Counts;
@@ -139,13 +139,22 @@ mod tests {
     }
 
     fn draw(scene: &str, options: &[&str], spp: u32, simulate: Simulate) -> Rendering<Counts> {
+        let settings = Settings { width: 24, height: 24, spp, ..Settings::default() };
+        render(scene, options, simulate, &settings)
+    }
+
+    fn render(
+        scene: &str,
+        options: &[&str],
+        simulate: Simulate,
+        settings: &Settings,
+    ) -> Rendering<Counts> {
         let all = std::iter::once(&"microfacets").chain(options);
         let knobs = Options::try_parse_from(all).expect("good options").knobs;
         let stage = Microfacets::build(scene, &knobs).expect("a scene");
         let calls = Microfacets::calls(&stage, &knobs);
         let plan = Plan::new(&calls, Microfacets::SKILLS, simulate);
-        let settings = Settings { width: 24, height: 24, spp, ..Settings::default() };
-        Microfacets::draw(&stage, &plan, &settings, &knobs)
+        Microfacets::draw(&stage, &plan, settings, &knobs)
     }
 
     fn mean(film: &Film) -> f32 {
@@ -185,8 +194,8 @@ mod tests {
 
     #[test]
     fn in_the_middle_of_a_rough_ball_1_minus_ln_2_is_left() {
-        let options =
-            ["--roughness", "1", "--eye", "1.1,0,9", "--look-at", "1.1,0,0", "--fov", "0.5"];
+        let view = ["--eye", "0,1.3,9", "--look-at", "0,1.3,0", "--fov", "0.5"];
+        let options = [&["--roughness", "1"], &view[..]].concat();
         let found = mean(&draw("lost-light", &options, 64, Simulate::Needed).film);
         let closed = roughest(1.0, Masking::Correlated) as f32;
         assert!((found - closed).abs() < 0.01, "{found} {closed}");
@@ -196,5 +205,24 @@ mod tests {
     fn a_perfectly_smooth_ball_loses_nothing() {
         let film = draw("lost-light", &["--roughness", "0"], 4, Simulate::Needed).film;
         assert!((mean(&film) - 1.0).abs() < 1e-5);
+    }
+
+    /// The means of 4x4 tiles by Mitsuba 3.9.1; see `tests/reference/README.md`.
+    const REFERENCE: &str = include_str!("../../../tests/reference/rough-metals.csv");
+
+    #[test]
+    fn another_renderer_makes_the_same_picture() {
+        let settings = Settings { width: 32, height: 32, spp: 512, ..Settings::default() };
+        let film = render("rough-metals", &[], Simulate::Needed, &settings).film;
+        let tiles = REFERENCE.lines().filter(|line| line.starts_with(|it: char| it.is_numeric()));
+        let (mut ours, mut theirs) = (0.0, 0.0);
+        for (tile, line) in film.tile_means(4, 4).into_iter().zip(tiles) {
+            let numbers: Vec<f32> = line.split(',').filter_map(|it| it.parse().ok()).collect();
+            let reference = Color::from_slice(&numbers[2..5]);
+            let (one, other) = (tile.element_sum(), reference.element_sum());
+            assert!((one / other - 1.0).abs() < 0.05, "{line}: {tile}");
+            (ours, theirs) = (ours + one, theirs + other);
+        }
+        assert!((ours / theirs - 1.0).abs() < 0.01, "{ours} {theirs}");
     }
 }

@@ -19,8 +19,8 @@ use path_tracing::world::World;
 use crate::finish::Finish;
 use crate::scenes;
 
-const SIDE: u32 = 48;
-const SAMPLES: u32 = 2;
+const SIDE: u32 = 64;
+const SAMPLES: u32 = 4;
 
 /// The Cornell box with three sets of materials, and with metal.
 pub(super) fn experiment() -> Option<Experiment<'static>> {
@@ -28,7 +28,7 @@ pub(super) fn experiment() -> Option<Experiment<'static>> {
     let (matte, metals) = (stage("cornell")?, stage("rough-metals")?);
     Some(Experiment {
         name: "plan",
-        title: "The matte Cornell box, 48x48: what is not called for costs nothing",
+        title: "The matte Cornell box, 64x64: what is not called for costs nothing",
         work_unit: "paths",
         error_metric: "largest difference from the picture with all materials",
         plot: Plot::ErrorOverTime("difference"),

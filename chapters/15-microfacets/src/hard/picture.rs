@@ -27,7 +27,7 @@ pub(super) fn picture() -> Film {
             naive::density(ALPHA, normal.z)
         };
         let part = density / largest;
-        // Blue to white by the part; orange for more than there can be.
+        // Blue to white; orange for what is no number, or more than there can be.
         if !(part <= 1.0 + 1e-3) {
             return Color::new(0.9, 0.3, 0.05);
         }

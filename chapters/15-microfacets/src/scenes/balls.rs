@@ -23,8 +23,8 @@ pub(super) fn polish() -> Model<Finish> {
     parts.extend(row(-0.6, 0.8, |alpha| Rough::metal(Metal::COPPER, alpha)));
     parts.extend(row(1.4, 0.6, |alpha| Rough::glass(Index::GLASS, alpha)));
     let eye = Vec3::new(0.0, 4.6, 9.0);
-    let view = View { eye, target: Vec3::new(0.0, 0.45, -1.2), up: Vec3::Y, vertical_fov: 33.0 };
-    Model { parts, sky: Color::new(0.75, 0.85, 1.0), view }
+    let view = View { eye, target: Vec3::new(0.0, 0.4, -1.2), up: Vec3::Y, vertical_fov: 39.0 };
+    Model { parts, sky: Color::new(0.9, 0.87, 0.82), view }
 }
 
 /// Balls of this radius at the depth `z`, of the material that each roughness gives.
@@ -50,16 +50,17 @@ fn floor() -> Vec<Part<Finish>> {
     vec![Part::dark(dark, dark_grey.into()), Part::dark(pale, pale_grey.into())]
 }
 
-/// Balls whose facets reflect all light, where the same radiance comes from everywhere. What is
-/// darker has lost light.
+/// Balls whose facets reflect all light, where the same radiance comes from everywhere, in two rows of
+/// three. What is darker has lost light.
 pub(super) fn lost_light() -> Model<Finish> {
     let ball = |index: usize| {
         let alpha = 1.0 - index as f32 / 5.0;
-        let center = Vec3::new(2.2 * (index as f32 - 2.5), 0.0, 0.0);
+        let (column, row) = (index % 3, index / 3);
+        let center = Vec3::new(2.6 * (column as f32 - 1.0), 1.3 - 2.6 * row as f32, 0.0);
         Part::dark(Form::ball(center, 1.0), Rough::metal(PERFECT, alpha).into())
     };
     // From so far that all of them are seen from the front.
     let eye = Vec3::new(0.0, 0.0, 80.0);
-    let view = View { eye, target: Vec3::ZERO, up: Vec3::Y, vertical_fov: 2.0 };
+    let view = View { eye, target: Vec3::ZERO, up: Vec3::Y, vertical_fov: 3.6 };
     Model { parts: (0..6).map(ball).collect(), sky: Color::ONE, view }
 }
