@@ -28,7 +28,7 @@ pub static PROGRAM: Entry = Entry::of::<PathTracing>();
 
 /// A scene that can be drawn.
 pub struct Subject {
-    stage: Stage<Smooth>,
+    pub(crate) stage: Stage<Smooth>,
     warnings: Vec<String>,
 }
 

@@ -21,8 +21,8 @@ pub struct Knobs {
 }
 
 // ANCHOR: depth
-/// The largest depth: a path in a white room that nothing else ends takes a few hundredths of a
-/// second for it, and a picture of such a room still ends, in days.
+/// The largest depth. A path in a white room that nothing else ends takes a few hundredths of a
+/// second for it, so a picture of such a room still ends, in about a day.
 pub const DEEPEST: u32 = 100_000;
 
 /// # Errors

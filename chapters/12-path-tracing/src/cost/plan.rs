@@ -1,92 +1,81 @@
-//! What the plan saves: a matte scene by what it needs, by everything, and by a loop for it alone.
+//! What the plan saves: two boxes by what they need and by everything, one also by a loop for it alone.
 
 use std::hint::black_box;
 use std::rc::Rc;
 
+use common::chapter::Chapter;
 use common::cost::{Experiment, Method, Plot, Row, Table, change};
-use common::film::Color;
-use common::sampler::Sampler;
-use common::stats::error::rmse;
+use common::film::Film;
+use common::plan::{Plan, Simulate};
+use common::render::{Rendering, Settings, render};
+use common::stats::error::film_rmse;
 use common::tally::Off;
-use glam::Vec2;
-use ray_casting::ray::Ray;
+use ray_casting::knobs::Aim;
 
 use super::by_hand;
-use crate::bsdf::Bsdf;
-use crate::lambert::Lambert;
-use crate::scenes;
+use crate::command::{PathTracing, SKILLS, Subject};
+use crate::knobs::{Albedo, Knobs};
+use crate::shot::position;
 use crate::smooth::Smooth;
-use crate::stage::Stage;
-use crate::strategy::{ByDirection, Never};
-use crate::tracer::PathTracer;
-use crate::world::World;
 
 const DEPTH: u32 = 8;
 const SIDE: u32 = 64;
 
-/// A scene and the rays that are sent into it.
-struct Sight {
-    stage: Stage<Smooth>,
-    rays: Vec<Ray>,
+/// The scene called `name`, as the program builds it.
+fn sight(name: &str) -> Option<Rc<Subject>> {
+    PathTracing::build(name, &knobs()).ok().map(Rc::new)
 }
 
-impl Sight {
-    fn new(name: &str) -> Option<Rc<Self>> {
-        let stage = Stage::new(&scenes::named(name, 0.5).ok()?).ok()?;
-        let camera = stage.camera.with_film(SIDE, SIDE);
-        let pixels = (0..SIDE).flat_map(|y| (0..SIDE).map(move |x| Vec2::new(x as f32, y as f32)));
-        let rays = pixels.map(|pixel| camera.ray(pixel + 0.5)).collect();
-        Some(Rc::new(Self { stage, rays }))
-    }
-
-    fn matte(&self) -> Option<World<'_, Lambert>> {
-        self.stage.world().narrowed(Smooth::lambert)
-    }
-
-    /// One sample of every pixel.
-    fn draw(&self, radiance: impl Fn(Ray, &Sampler) -> Color) -> Vec<Color> {
-        let pixels = (0..).zip(&self.rays);
-        pixels.map(|(pixel, ray)| radiance(*ray, &Sampler::new(1, pixel, 0, 1))).collect()
-    }
-
-    fn follow<B: Bsdf, const EMITTERS: bool, const SKY: bool>(
-        &self,
-        world: &World<B>,
-    ) -> Vec<Color> {
-        let (lighting, ending, depth) = (ByDirection, Never, DEPTH);
-        let tracer: PathTracer<_, _, _, EMITTERS, SKY> =
-            PathTracer { world, lighting, ending, depth };
-        self.draw(|ray, sampler| tracer.radiance(ray, sampler, &mut Off))
-    }
-
-    fn needed(&self) -> Vec<Color> {
-        self.matte().map_or(Vec::new(), |world| self.follow::<_, true, false>(&world))
-    }
-
-    fn all(&self) -> Vec<Color> {
-        self.follow::<_, true, true>(&self.stage.world())
-    }
-
-    fn by_hand(&self) -> Vec<Color> {
-        self.matte().map_or(Vec::new(), |world| {
-            self.draw(|ray, sampler| by_hand::matte(&world, ray, DEPTH, sampler))
-        })
-    }
+fn knobs() -> Knobs {
+    Knobs { depth: DEPTH, albedo: Albedo(0.5), aim: Aim::default() }
 }
 
-/// The box by itself.
+fn settings() -> Settings {
+    Settings { width: SIDE, height: SIDE, spp: 1, threads: 1, ..Settings::default() }
+}
+
+/// The picture as the program draws it.
+fn planned(subject: &Subject, simulate: Simulate) -> Film {
+    let plan = Plan::new(&PathTracing::calls(subject, &knobs()), SKILLS, simulate);
+    let drawn: Rendering<Off> = PathTracing::draw(subject, &plan, &settings(), &knobs());
+    drawn.film
+}
+
+fn needed(subject: &Subject) -> Film {
+    planned(subject, Simulate::Needed)
+}
+
+fn all(subject: &Subject) -> Film {
+    planned(subject, Simulate::All)
+}
+
+/// The picture of a matte scene with lamps alone, and black for any other.
+fn by_hand(subject: &Subject) -> Film {
+    let Some(world) = subject.stage.world().narrowed(Smooth::lambert) else {
+        return Film::new(SIDE, SIDE);
+    };
+    let camera = subject.stage.camera.with_film(SIDE, SIDE);
+    let shade = |pixel, sampler: &_| {
+        by_hand::matte(&world, camera.ray(position(pixel, sampler)), DEPTH, sampler)
+    };
+    render(&settings(), shade).film
+}
+
+/// The box with its lamp on, and with it off.
 pub(super) fn experiment() -> Option<Experiment<'static>> {
-    let sight = Sight::new("cornell")?;
+    let (lit, dark) = (sight("cornell")?, sight("dark")?);
     Some(Experiment {
         name: "plan",
-        title: "The matte Cornell box, 64x64: what is not called for costs nothing",
-        work_unit: "paths",
+        title: "The matte Cornell box, 64x64, and the same with its lamp off",
+        work_unit: "pixels",
         error_metric: "RMS difference from the loop by hand",
         plot: Plot::ErrorOverTime("difference (RMS)"),
         methods: vec![
-            method("by hand", &sight, Sight::by_hand),
-            method("needed", &sight, Sight::needed),
-            method("all", &sight, Sight::all),
+            method("lamp on, by hand", &lit, by_hand),
+            method("lamp on, needed", &lit, needed),
+            method("lamp on, all", &lit, all),
+            method("lamp off, needed", &dark, needed),
+            method("lamp off, all", &dark, all),
         ],
         note,
     })
@@ -94,25 +83,24 @@ pub(super) fn experiment() -> Option<Experiment<'static>> {
 
 fn method(
     label: &'static str,
-    sight: &Rc<Sight>,
-    draw: fn(&Sight) -> Vec<Color>,
+    subject: &Rc<Subject>,
+    draw: fn(&Subject) -> Film,
 ) -> Method<'static> {
-    let channels = |colors: Vec<Color>| -> Vec<f64> {
-        colors.iter().flat_map(|color| color.to_array().map(f64::from)).collect()
-    };
-    let error = rmse(&channels(sight.by_hand()), &channels(draw(sight))).unwrap_or(f64::NAN);
-    let work = sight.rays.len() as u64;
-    let sight = Rc::clone(sight);
-    let run = Box::new(move || drop(black_box(draw(&sight))));
+    let error = film_rmse(&by_hand(subject), &draw(subject)).unwrap_or(f64::NAN);
+    let subject = Rc::clone(subject);
+    let run = Box::new(move || drop(black_box(draw(&subject))));
+    let work = u64::from(SIDE * SIDE);
     Method { label: label.into(), series: label, size: 1.0, work, error, run }
 }
 
 fn note(table: &Table) -> String {
-    let [hand, needed, all] = &table.rows[..] else { return String::new() };
-    let against = |row: &Row, base: &Row| change(row.nanoseconds() / base.nanoseconds());
+    let [hand, needed, all, dark_needed, dark_all] = &table.rows[..] else { return String::new() };
+    let against = |row: &Row, base: &Row| row.nanoseconds() / base.nanoseconds();
     format!(
-        "What is needed takes {} time than the loop by hand; all takes {} than what is needed.",
-        against(needed, hand),
-        against(all, needed)
+        "With the lamp on, what is needed takes {} time than the loop by hand, and all takes {} than \
+         what is needed. With the lamp off, all takes {:.0} times as long as what is needed.",
+        change(against(needed, hand)),
+        change(against(all, needed)),
+        against(dark_all, dark_needed)
     )
 }
