@@ -76,7 +76,9 @@ impl Sampler {
     /// numbered points begin of which each sample takes one.
     #[inline]
     pub fn shared(&self, bounce: u32, purpose: Purpose) -> u64 {
-        mix(self.pixel ^ purpose.0.rotate_left(bounce))
+        // Multiples of an odd number differ for all bounces there are.
+        let step = u64::from(bounce).wrapping_mul(0x9e37_79b9_7f4a_7c15);
+        mix(self.pixel ^ purpose.0.wrapping_add(step))
     }
 
     /// Where in its pixel the sample lies, each coordinate in [0, 1): the centre when the pixel has
@@ -166,6 +168,7 @@ mod tests {
         assert_eq!(shared(2, 3, 4), shared(2, 5, 4));
         assert_ne!(shared(2, 3, 4), shared(1, 3, 4));
         assert_ne!(shared(2, 3, 4), shared(2, 3, 5));
+        assert_ne!(shared(2, 3, 4), shared(2, 3, 68), "nor do they come round");
         assert_ne!(shared(2, 3, 4), Sampler::new(1, 2, 3, 9).shared(4, PIXEL_OFFSET));
     }
 
