@@ -32,7 +32,7 @@ impl Bsdf for RoughConductor {
     /// D F G₂ / (4 z z').
     #[inline]
     fn eval(&self, outgoing: Vec3, incoming: Vec3) -> Color {
-        let Some((outgoing, incoming, normal)) = self.between(outgoing, incoming) else {
+        let Some(Pair { outgoing, incoming, normal }) = self.between(outgoing, incoming) else {
             return Color::ZERO;
         };
         let visibility = self.facets.visibility(outgoing, incoming);
@@ -42,8 +42,8 @@ impl Bsdf for RoughConductor {
     /// The density of the normal half way between, over 4 times the cosine at it.
     #[inline]
     fn pdf(&self, outgoing: Vec3, incoming: Vec3) -> f32 {
-        let Some((outgoing, _, normal)) = self.between(outgoing, incoming) else { return 0.0 };
-        reflected_density(&self.facets, outgoing, normal)
+        let pair = self.between(outgoing, incoming);
+        pair.map_or(0.0, |pair| reflected_density(&self.facets, pair.outgoing, pair.normal))
     }
 
     #[inline]
@@ -75,15 +75,23 @@ impl Bsdf for RoughConductor {
 }
 // ANCHOR_END: conductor
 
+/// Two directions above a surface, and the normal of the facets that reflect one to the other.
+#[derive(Clone, Copy, Debug)]
+struct Pair {
+    outgoing: Vec3,
+    incoming: Vec3,
+    normal: Vec3,
+}
+
 impl RoughConductor {
-    /// Both directions from above, and the normal of the facets that reflect one to the other.
+    /// Both directions seen from above; `None` where no facet reflects one to the other.
     #[inline]
-    fn between(&self, outgoing: Vec3, incoming: Vec3) -> Option<(Vec3, Vec3, Vec3)> {
+    fn between(&self, outgoing: Vec3, incoming: Vec3) -> Option<Pair> {
         if self.facets.ggx.is_smooth() || !same_side(outgoing, incoming) {
             return None;
         }
         let (outgoing, incoming) = (upright(outgoing), upright(incoming));
-        half(outgoing, incoming).map(|normal| (outgoing, incoming, normal))
+        half(outgoing, incoming).map(|normal| Pair { outgoing, incoming, normal })
     }
 
     /// F of a facet.
