@@ -18,7 +18,7 @@
 //! | [`ggx`] | how facets lie, which are hidden, and which are seen |
 //! | [`facets`] | which are both seen and lit, and which one a path meets |
 //! | [`conductor`] | rough metal |
-//! | [`dielectric`] | rough glass |
+//! | [`dielectric`], `passage` | rough glass |
 //! | [`rough`], [`finish`] | the rough materials, and all materials so far |
 //! | [`albedo`] | how much light comes back |
 //! | [`naive`] | the textbook's formulas, which fail |
@@ -36,6 +36,7 @@ pub mod finish;
 pub mod ggx;
 pub mod hard;
 pub mod naive;
+mod passage;
 pub mod rough;
 
 #[cfg(feature = "native")]
