@@ -64,7 +64,8 @@ fn theirs(scene: &str) -> Means {
     // The tiles' errors don't know of each other.
     means.push([0, 1, 2].map(|color| {
         let parts = || tiles.iter().map(|tile| tile.mean[color]);
-        let squares: f64 = parts().map(|part| part.standard_error.powi(2)).sum();
+        let square = |part: Estimate| part.standard_error * part.standard_error;
+        let squares: f64 = parts().map(square).sum();
         let mean = parts().map(|part| part.mean).sum::<f64>() / count;
         Estimate { mean, standard_error: squares.sqrt() / count }
     }));
