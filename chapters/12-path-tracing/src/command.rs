@@ -10,7 +10,7 @@ use ray_casting::camera::CAMERA_RAYS;
 use triangles::brute::TRIANGLE_TESTS;
 
 use crate::knobs::Knobs;
-use crate::scenes::{self, Described, SCENES};
+use crate::scenes::{self, SCENES};
 use crate::shot::Shot;
 use crate::smooth::Smooth;
 use crate::stage::Stage;
@@ -25,12 +25,6 @@ pub struct PathTracing;
 
 /// The same as a value, compiled here once for all who run it.
 pub static PROGRAM: Entry = Entry::of::<PathTracing>();
-
-/// A scene that can be drawn.
-pub struct Subject {
-    pub(crate) stage: Stage<Smooth>,
-    warnings: Vec<String>,
-}
 
 /// The effects this chapter can simulate.
 pub const SKILLS: &[Skill] = &[
@@ -63,25 +57,24 @@ impl Chapter for PathTracing {
     const EVENTS: &'static [Event] = EVENTS;
 
     type Knobs = Knobs;
-    type Scene = Subject;
+    type Scene = Stage<Smooth>;
 
-    fn build(name: &str, knobs: &Knobs) -> Result<Subject, Failure> {
-        let Described { mut model, warnings } = scenes::described(name, knobs.albedo.0)?;
+    fn build(name: &str, knobs: &Knobs) -> Result<Stage<Smooth>, Failure> {
+        let mut model = scenes::named(name, knobs.albedo.0)?;
         knobs.aim.apply(&mut model.view);
-        let stage = Stage::new(&model).map_err(|error| Failure::Usage(error.to_string()))?;
-        Ok(Subject { stage, warnings })
+        Stage::new(&model).map_err(|error| Failure::Usage(error.to_string()))
     }
 
-    fn warnings(subject: &Subject) -> &[String] {
-        &subject.warnings
+    fn warnings(stage: &Stage<Smooth>) -> &[String] {
+        &stage.warnings
     }
 
-    fn calls(subject: &Subject, _knobs: &Knobs) -> Vec<Call> {
-        subject.stage.calls.clone()
+    fn calls(stage: &Stage<Smooth>, _knobs: &Knobs) -> Vec<Call> {
+        stage.calls.clone()
     }
 
     fn draw<T: Tally>(
-        Subject { stage, .. }: &Subject,
+        stage: &Stage<Smooth>,
         plan: &Plan,
         settings: &Settings,
         knobs: &Knobs,
@@ -138,10 +131,10 @@ mod tests {
         threads: usize,
     ) -> Rendering<Counts> {
         let knobs = knobs(options);
-        let subject = PathTracing::build(name, &knobs).unwrap_or_else(|_| panic!("{name}"));
-        let plan = Plan::new(&PathTracing::calls(&subject, &knobs), SKILLS, simulate);
+        let stage = PathTracing::build(name, &knobs).unwrap_or_else(|_| panic!("{name}"));
+        let plan = Plan::new(&PathTracing::calls(&stage, &knobs), SKILLS, simulate);
         let settings = Settings { width: 64, height: 48, spp: 4, threads, ..Settings::default() };
-        PathTracing::draw(&subject, &plan, &settings, &knobs)
+        PathTracing::draw(&stage, &plan, &settings, &knobs)
     }
 
     #[test]

@@ -41,7 +41,7 @@ pub fn ball(albedo: f32) -> Model<Smooth> {
 fn furnace(form: Form, albedo: f32) -> Model<Smooth> {
     let emission = Emission { radiance: Color::ONE, both_sides: true };
     let part = Part { form, material: grey(albedo), emission };
-    Model { parts: vec![part], sky: Color::ZERO, view: view() }
+    Model::new(vec![part], Color::ZERO, view())
 }
 
 fn grey(albedo: f32) -> Smooth {
@@ -64,7 +64,7 @@ pub fn shell(albedo: f32) -> Model<Smooth> {
     let lamp = Part::glowing(Form::ball(Vec3::ZERO, 1.0), Smooth::BLACK, Color::ONE);
     let eye = Vec3::new(1.5, 0.25, -0.125);
     let view = View { eye, target: eye + Vec3::X, up: Vec3::Y, vertical_fov: 60.0 };
-    Model { parts: vec![wall, lamp], sky: Color::ZERO, view }
+    Model::new(vec![wall, lamp], Color::ZERO, view)
 }
 
 // ANCHOR: shell

@@ -15,14 +15,21 @@ pub struct Model<M> {
     pub sky: Color,
     /// Where it is seen from.
     pub view: View,
+    /// What the user should be told of its file.
+    pub warnings: Vec<String>,
 }
 // ANCHOR_END: model
 
 impl<M> Model<M> {
+    /// These things under this sky, seen from there.
+    pub fn new(parts: Vec<Part<M>>, sky: Color, view: View) -> Self {
+        Self { parts, sky, view, warnings: Vec::new() }
+    }
+
     /// The same scene of other materials: what a later chapter makes of this one's.
     pub fn map<N>(self, material: impl Fn(M) -> N) -> Model<N> {
         let parts = self.parts.into_iter().map(|part| part.map(&material)).collect();
-        Model { parts, sky: self.sky, view: self.view }
+        Model { parts, sky: self.sky, view: self.view, warnings: self.warnings }
     }
 }
 

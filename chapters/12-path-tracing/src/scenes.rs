@@ -27,22 +27,13 @@ pub const SCENES: &[SceneName] = &[
     SceneName { name: "FILE.obj", about: "a mesh of your own, with its MTL materials" },
 ];
 
-/// A scene, and what its files should be told about.
-#[derive(Clone, Debug)]
-pub struct Described {
-    /// The scene.
-    pub model: Model<Smooth>,
-    /// What the user should be told of its file.
-    pub warnings: Vec<String>,
-}
-
 /// The scene called `name`, or that of an OBJ file; the furnaces' walls have this `albedo`.
 ///
 /// # Errors
 /// A name that is none of [`SCENES`] (exit code 2), or a file that can't be read, is no mesh, or has
 /// materials that can't be (exit code 1).
-pub fn described(name: &str, albedo: f32) -> Result<Described, Failure> {
-    let model = match name {
+pub fn named(name: &str, albedo: f32) -> Result<Model<Smooth>, Failure> {
+    Ok(match name {
         "cornell" => cornell::matte(),
         "cornell-glass" => cornell::with_glass(),
         "dark" => cornell::dark(),
@@ -52,31 +43,22 @@ pub fn described(name: &str, albedo: f32) -> Result<Described, Failure> {
         "empty" => Model { parts: Vec::new(), ..cornell::dark() },
         name if is_file(name) => return files::read(name),
         name => return Err(unknown_scene(name, SCENES)),
-    };
-    Ok(Described { model, warnings: Vec::new() })
-}
-
-/// The same without what there is to tell.
-///
-/// # Errors
-/// As for [`described`].
-pub fn named(name: &str, albedo: f32) -> Result<Model<Smooth>, Failure> {
-    described(name, albedo).map(|scene| scene.model)
+    })
 }
 
 #[cfg(test)]
 mod tests {
     use common::chapter::Failure;
 
-    use super::{SCENES, described, named};
+    use super::{SCENES, named};
     use crate::part::Form;
     use crate::stage::Stage;
 
     #[test]
     fn every_scene_that_is_listed_can_be_built() {
         for scene in SCENES.iter().filter(|scene| scene.name != "FILE.obj") {
-            let found = described(scene.name, 0.5).expect(scene.name);
-            assert!(found.warnings.is_empty() && Stage::new(&found.model).is_ok());
+            let found = named(scene.name, 0.5).expect(scene.name);
+            assert!(found.warnings.is_empty() && Stage::new(&found).is_ok());
         }
     }
 

@@ -24,6 +24,8 @@ pub struct Stage<M> {
     pub camera: Camera,
     /// The effects that it calls for.
     pub calls: Vec<Call>,
+    /// What the user should be told of its file.
+    pub warnings: Vec<String>,
 }
 // ANCHOR_END: stage
 
@@ -66,6 +68,7 @@ impl<M: Material> Stage<M> {
             sky: model.sky,
             camera,
             calls: calls(model),
+            warnings: model.warnings.clone(),
         })
     }
 

@@ -23,7 +23,7 @@ use triangles::brute::TRIANGLE_TESTS;
 use crate::by_light::{ByLight, LIGHT_SAMPLES};
 use crate::cost;
 use crate::hard;
-use crate::knobs::{Counting, Options};
+use crate::knobs::{Counting, Knobs, Options};
 use crate::lights::Lights;
 use crate::naive::{Counted, Rule};
 use crate::scenes::{self, SCENES};
@@ -64,7 +64,13 @@ impl Chapter for LightSampling {
         let path = &knobs.light.path;
         let mut model = scenes::named(name, path.albedo.0)?;
         path.aim.apply(&mut model.view);
-        Stage::new(&model).map_err(|error| Failure::Usage(error.to_string()))
+        let mut stage = Stage::new(&model).map_err(|error| Failure::Usage(error.to_string()))?;
+        stage.warnings.extend(too_faint(&stage, &knobs.light));
+        Ok(stage)
+    }
+
+    fn warnings(stage: &Stage<Smooth>) -> &[String] {
+        &stage.warnings
     }
 
     fn calls(stage: &Stage<Smooth>, _knobs: &Options) -> Vec<Call> {
@@ -95,6 +101,15 @@ impl Chapter for LightSampling {
     }
 }
 
+/// A word on lamps that are never looked at (hard case LS-11).
+fn too_faint(stage: &Stage<Smooth>, knobs: &Knobs) -> Option<String> {
+    let way = knobs.lighting.way()?;
+    let count = Lights::new(&stage.space, &stage.surfaces, knobs.lamps.into(), way).left_out();
+    let lamps = if count == 1 { "1 lamp has".into() } else { format!("{count} lamps have") };
+    let because = "less than 2^-24 of all power: found by chance only";
+    (count > 0).then(|| format!("{lamps} {because}"))
+}
+
 /// The picture, with light looked for as the options say.
 fn lit<B: Bsdf, T: Tally>(
     world: &World<B>,
@@ -121,4 +136,93 @@ fn lit<B: Bsdf, T: Tally>(
 /// How the scene is drawn with this way of looking for light.
 fn shot<'a, L>(stage: &'a Stage<Smooth>, knobs: &Options, lighting: L) -> Shot<'a, L, Never> {
     Shot { camera: &stage.camera, lighting, ending: Never, depth: knobs.light.path.depth }
+}
+
+#[cfg(test)]
+mod tests {
+    use clap::Parser;
+    use common::chapter::Chapter;
+    use common::film::Color;
+    use common::plan::{Plan, Simulate};
+    use common::render::{Rendering, Settings};
+    use common::tally::Counts;
+    use glam::Vec3;
+    use path_tracing::part::{Form, Part};
+    use path_tracing::smooth::Smooth;
+    use path_tracing::stage::Stage;
+    use path_tracing::tracer::{BOUNCES, LAMPS_MET, SKY_SEEN, SPECULAR_BOUNCES};
+    use shadows::visibility::SHADOW_RAYS;
+
+    use super::{LIGHT_SAMPLES, LightSampling, Options, SKILLS, too_faint};
+    use crate::scenes::named;
+
+    #[derive(Parser)]
+    struct Line {
+        #[command(flatten)]
+        knobs: Options,
+    }
+
+    fn knobs(options: &[&str]) -> Options {
+        let all = std::iter::once(&"light-sampling").chain(options);
+        Line::try_parse_from(all).unwrap_or_else(|error| panic!("{error}")).knobs
+    }
+
+    fn drawn(
+        name: &str,
+        options: &[&str],
+        simulate: Simulate,
+        threads: usize,
+    ) -> Rendering<Counts> {
+        let knobs = knobs(options);
+        let stage = LightSampling::build(name, &knobs).unwrap_or_else(|_| panic!("{name}"));
+        let plan = Plan::new(&LightSampling::calls(&stage, &knobs), SKILLS, simulate);
+        let settings = Settings { width: 48, height: 36, spp: 4, threads, ..Settings::default() };
+        LightSampling::draw(&stage, &plan, &settings, &knobs)
+    }
+
+    #[test]
+    fn what_is_not_called_for_changes_no_bit_and_is_not_done() {
+        let skipped = [
+            ("cornell", &[SKY_SEEN, SPECULAR_BOUNCES][..]),
+            ("cornell-glass", &[SKY_SEEN][..]),
+            ("bunny", &[LAMPS_MET, LIGHT_SAMPLES, SHADOW_RAYS, SPECULAR_BOUNCES][..]),
+            ("dark", &[LAMPS_MET, LIGHT_SAMPLES, SHADOW_RAYS, SKY_SEEN, BOUNCES][..]),
+            ("empty", &[LAMPS_MET, LIGHT_SAMPLES, SHADOW_RAYS, SKY_SEEN, BOUNCES][..]),
+        ];
+        for (name, events) in skipped {
+            let needed = drawn(name, &[], Simulate::Needed, 1);
+            let all = drawn(name, &[], Simulate::All, 3);
+            assert_eq!(needed.film.hash(), all.film.hash(), "{name}");
+            assert_eq!(needed.film.nonfinite, 0, "{name}");
+            for event in events {
+                assert_eq!(needed.tally.of(*event), 0, "{name}: {}", event.name());
+            }
+        }
+    }
+
+    #[test]
+    fn all_options_draw_without_a_number_that_is_none() {
+        let ways = ["area", "solid-angle", "direction"].map(|way| ["--lighting", way]);
+        let others = [["--lamps", "uniform"], ["--met", "twice"], ["--met", "camera"]];
+        for options in ways.into_iter().chain(others) {
+            for name in ["cornell-glass", "sphere-light", "many-lights", "furnace"] {
+                let film = drawn(name, &options, Simulate::Needed, 0).film;
+                assert_eq!(film.nonfinite, 0, "{name}, {options:?}");
+                assert!(film.pixels.iter().any(|pixel| pixel.max_element() > 0.0));
+            }
+        }
+    }
+
+    #[test]
+    fn lamps_that_are_never_looked_at_are_reported() {
+        let mut model = named("cornell", 0.5).expect("a scene");
+        let stage = Stage::new(&model).expect("a scene");
+        let knobs = knobs(&[]).light;
+        assert_eq!(too_faint(&stage, &knobs), None);
+        let form = Form::ball(Vec3::splat(100.0), 1e-3);
+        model.parts.push(Part::glowing(form, Smooth::BLACK, Color::splat(1e-6)));
+        let stage = Stage::new(&model).expect("a scene");
+        let text = too_faint(&stage, &knobs).expect("a faint lamp");
+        assert!(text.starts_with("1 lamp has less than"), "{text}");
+    }
 }

@@ -49,7 +49,7 @@ fn lit_by(lamps: Vec<Part<Smooth>>) -> Model<Smooth> {
     let mut parts = enclosure();
     parts.extend([block(&SHORT, WHITE), block(&TALL, WHITE)]);
     parts.extend(lamps);
-    Model { parts, sky: Color::ZERO, view: box_view() }
+    Model::new(parts, Color::ZERO, box_view())
 }
 
 fn ball() -> Part<Smooth> {

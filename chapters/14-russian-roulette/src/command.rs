@@ -64,6 +64,10 @@ impl Chapter for RussianRoulette {
         Stage::new(&model).map_err(|error| Failure::Usage(error.to_string()))
     }
 
+    fn warnings(stage: &Stage<Smooth>) -> &[String] {
+        &stage.warnings
+    }
+
     fn calls(stage: &Stage<Smooth>, _knobs: &Knobs) -> Vec<Call> {
         stage.calls.clone()
     }

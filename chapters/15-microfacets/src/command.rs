@@ -57,6 +57,10 @@ impl Chapter for Microfacets {
         Stage::new(&model).map_err(|error| Failure::Usage(error.to_string()))
     }
 
+    fn warnings(stage: &Stage<Finish>) -> &[String] {
+        &stage.warnings
+    }
+
     fn calls(stage: &Stage<Finish>, _knobs: &Knobs) -> Vec<Call> {
         stage.calls.clone()
     }

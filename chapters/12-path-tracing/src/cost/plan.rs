@@ -13,16 +13,17 @@ use common::tally::Off;
 use ray_casting::knobs::Aim;
 
 use super::by_hand;
-use crate::command::{PathTracing, SKILLS, Subject};
+use crate::command::{PathTracing, SKILLS};
 use crate::knobs::{Albedo, Knobs};
 use crate::shot::position;
 use crate::smooth::Smooth;
+use crate::stage::Stage;
 
 const DEPTH: u32 = 8;
 const SIDE: u32 = 64;
 
 /// The scene called `name`, as the program builds it.
-fn sight(name: &str) -> Option<Rc<Subject>> {
+fn sight(name: &str) -> Option<Rc<Stage<Smooth>>> {
     PathTracing::build(name, &knobs()).ok().map(Rc::new)
 }
 
@@ -35,26 +36,26 @@ fn settings() -> Settings {
 }
 
 /// The picture as the program draws it.
-fn planned(subject: &Subject, simulate: Simulate) -> Film {
-    let plan = Plan::new(&PathTracing::calls(subject, &knobs()), SKILLS, simulate);
-    let drawn: Rendering<Off> = PathTracing::draw(subject, &plan, &settings(), &knobs());
+fn planned(stage: &Stage<Smooth>, simulate: Simulate) -> Film {
+    let plan = Plan::new(&PathTracing::calls(stage, &knobs()), SKILLS, simulate);
+    let drawn: Rendering<Off> = PathTracing::draw(stage, &plan, &settings(), &knobs());
     drawn.film
 }
 
-fn needed(subject: &Subject) -> Film {
-    planned(subject, Simulate::Needed)
+fn needed(stage: &Stage<Smooth>) -> Film {
+    planned(stage, Simulate::Needed)
 }
 
-fn all(subject: &Subject) -> Film {
-    planned(subject, Simulate::All)
+fn all(stage: &Stage<Smooth>) -> Film {
+    planned(stage, Simulate::All)
 }
 
 /// The picture of a matte scene with lamps alone, and black for any other.
-fn by_hand(subject: &Subject) -> Film {
-    let Some(world) = subject.stage.world().narrowed(Smooth::lambert) else {
+fn by_hand(stage: &Stage<Smooth>) -> Film {
+    let Some(world) = stage.world().narrowed(Smooth::lambert) else {
         return Film::new(SIDE, SIDE);
     };
-    let camera = subject.stage.camera.with_film(SIDE, SIDE);
+    let camera = stage.camera.with_film(SIDE, SIDE);
     let shade = |pixel, sampler: &_| {
         by_hand::matte(&world, camera.ray(position(pixel, sampler)), DEPTH, sampler)
     };
@@ -83,12 +84,12 @@ pub(super) fn experiment() -> Option<Experiment<'static>> {
 
 fn method(
     label: &'static str,
-    subject: &Rc<Subject>,
-    draw: fn(&Subject) -> Film,
+    stage: &Rc<Stage<Smooth>>,
+    draw: fn(&Stage<Smooth>) -> Film,
 ) -> Method<'static> {
-    let error = film_rmse(&by_hand(subject), &draw(subject)).unwrap_or(f64::NAN);
-    let subject = Rc::clone(subject);
-    let run = Box::new(move || drop(black_box(draw(&subject))));
+    let error = film_rmse(&by_hand(stage), &draw(stage)).unwrap_or(f64::NAN);
+    let stage = Rc::clone(stage);
+    let run = Box::new(move || drop(black_box(draw(&stage))));
     let work = u64::from(SIDE * SIDE);
     Method { label: label.into(), series: label, size: 1.0, work, error, run }
 }

@@ -52,7 +52,7 @@ pub(super) fn dark() -> Model<Smooth> {
 }
 
 fn model(parts: Vec<Part<Smooth>>) -> Model<Smooth> {
-    Model { parts, sky: Color::ZERO, view: box_view() }
+    Model::new(parts, Color::ZERO, box_view())
 }
 
 /// Where the box is seen from.

@@ -6,7 +6,6 @@ use common::obj::Material;
 use triangles::parts::{self, by_material};
 use triangles::scene::MeshScene;
 
-use super::Described;
 use crate::model::Model;
 use crate::mtl;
 use crate::part::{Emission, Form, Part};
@@ -22,7 +21,7 @@ const UNNAMED: Smooth = Smooth::matte(0.8, 0.8, 0.8);
 ///
 /// # Errors
 /// A file that is no mesh, or whose materials can't be; the message names the file and the material.
-pub(super) fn read(name: &str) -> Result<Described, Failure> {
+pub(super) fn read(name: &str) -> Result<Model<Smooth>, Failure> {
     let MeshScene { mesh, view, mut warnings, materials, material_of, .. } =
         MeshScene::named(name)?;
     let of_part = |part: &parts::Part| {
@@ -37,7 +36,7 @@ pub(super) fn read(name: &str) -> Result<Described, Failure> {
     let parts = parts.map_err(|error| Failure::Work(format!("{name}: {error}")))?;
     let glows = parts.iter().any(|part| part.emission.glows());
     let sky = if glows { Color::ZERO } else { GREY };
-    Ok(Described { model: Model { parts, sky, view }, warnings })
+    Ok(Model { warnings, ..Model::new(parts, sky, view) })
 }
 
 fn described(record: &Material) -> Result<(Smooth, Emission), mtl::BadMaterial> {
@@ -56,12 +55,12 @@ mod tests {
     fn a_file_s_materials_are_read() {
         let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../assets/two-materials.obj");
         let scene = read(path).expect("the file is part of the project");
-        let parts = &scene.model.parts;
+        let parts = &scene.parts;
         assert_eq!(parts.len(), 2);
         let plaster = parts.iter().find(|part| part.material == Smooth::matte(0.72, 0.68, 0.6));
         assert!(plaster.is_some_and(|part| !part.emission.glows()));
         assert!(parts.iter().any(|part| part.emission.radiance == Color::new(2.4, 0.9, 0.3)));
-        assert_eq!(scene.model.sky, Color::ZERO, "it glows by itself");
+        assert_eq!(scene.sky, Color::ZERO, "it glows by itself");
         assert!(scene.warnings.iter().any(|text| text.contains("material sign")));
     }
 
@@ -69,8 +68,8 @@ mod tests {
     fn a_mesh_that_does_not_glow_has_a_sky() {
         let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../assets/bunny.obj");
         let scene = read(path).expect("the file is part of the project");
-        assert_eq!(scene.model.sky, GREY);
-        assert!(scene.model.parts.iter().all(|part| !part.emission.glows()));
+        assert_eq!(scene.sky, GREY);
+        assert!(scene.parts.iter().all(|part| !part.emission.glows()));
     }
 
     #[test]

@@ -25,5 +25,5 @@ pub(super) fn bunny() -> Result<Model<Smooth>, Failure> {
         Part::dark(Form::Triangles(corners), Smooth::matte(0.7, 0.5, 0.3)),
         Part::dark(Form::quad(floor), Smooth::matte(0.5, 0.5, 0.5)),
     ];
-    Ok(Model { parts, sky: SKY, view })
+    Ok(Model::new(parts, SKY, view))
 }

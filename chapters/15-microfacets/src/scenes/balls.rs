@@ -24,7 +24,7 @@ pub(super) fn polish() -> Model<Finish> {
     parts.extend(row(1.4, 0.6, |alpha| Rough::glass(Index::GLASS, alpha)));
     let eye = Vec3::new(0.0, 4.6, 9.0);
     let view = View { eye, target: Vec3::new(0.0, 0.4, -1.2), up: Vec3::Y, vertical_fov: 39.0 };
-    Model { parts, sky: Color::new(0.9, 0.87, 0.82), view }
+    Model::new(parts, Color::new(0.9, 0.87, 0.82), view)
 }
 
 /// Balls of this radius at the depth `z`, of the material that each roughness gives.
@@ -62,5 +62,5 @@ pub(super) fn lost_light() -> Model<Finish> {
     // From so far that all of them are seen from the front.
     let eye = Vec3::new(0.0, 0.0, 80.0);
     let view = View { eye, target: Vec3::ZERO, up: Vec3::Y, vertical_fov: 3.6 };
-    Model { parts: (0..6).map(ball).collect(), sky: Color::ONE, view }
+    Model::new((0..6).map(ball).collect(), Color::ONE, view)
 }

@@ -18,5 +18,5 @@ pub(super) fn rough_metals() -> Model<Finish> {
     let ball = Form::ball(Vec3::new(185.0, 90.0, 169.0), 90.0);
     parts.push(Part::dark(ball, Rough::metal(Metal::COPPER, 0.4).into()));
     parts.push(block(&TALL, Rough::metal(Metal::GOLD, 0.2).into()));
-    Model { parts, sky: Color::ZERO, view: box_view() }
+    Model::new(parts, Color::ZERO, box_view())
 }

@@ -1,0 +1,14 @@
+//! What accuracy costs in time.
+
+mod lobes;
+mod part_four;
+mod plates;
+mod sight;
+
+use common::cost::Experiment;
+
+/// The chapter's experiments.
+pub fn experiments() -> Vec<Experiment<'static>> {
+    let scenes = [plates::experiment(), part_four::experiment()];
+    std::iter::once(lobes::experiment()).chain(scenes.into_iter().flatten()).collect()
+}
