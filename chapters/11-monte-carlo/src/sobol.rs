@@ -23,6 +23,13 @@ pub fn pair(index: u32, seed: u64) -> Vec2 {
 }
 // ANCHOR_END: pair
 
+/// The first coordinate of [`pair`] alone, to the bit.
+#[inline]
+pub fn first(index: u32, seed: u64) -> f32 {
+    let (order, digits) = (seed as u32, (seed >> 32) as u32);
+    unit(scrambled_reversed(scrambled(index, order), digits).reverse_bits())
+}
+
 /// Makes the scrambling of the second coordinate another one.
 const OTHER: u32 = 0x5851_f42d;
 
@@ -77,7 +84,7 @@ fn scrambled(number: u32, seed: u32) -> u32 {
 
 #[cfg(test)]
 mod tests {
-    use super::{pair, second_reversed};
+    use super::{first, pair, second_reversed};
 
     #[test]
     fn the_unscrambled_second_dimension_is_sobol_s() {
@@ -85,6 +92,14 @@ mod tests {
         let found = [0, 1, 2, 3, 4, 5, 6, 7].map(|index| second_reversed(index).reverse_bits());
         let eighths = found.map(|bits| bits >> 29);
         assert_eq!(eighths, [0, 4, 6, 2, 5, 1, 3, 7]);
+    }
+
+    #[test]
+    fn one_number_is_the_first_of_two() {
+        for index in 0..1000 {
+            let seed = u64::from(index).wrapping_mul(0x9e37_79b9_7f4a_7c15);
+            assert_eq!(first(index, seed), pair(index, seed).x);
+        }
     }
 
     #[test]

@@ -34,7 +34,7 @@ impl Random {
     /// One number for one purpose, in [0, 1).
     #[inline]
     pub fn number(&self, purpose: Purpose) -> f32 {
-        self.pair(purpose).x
+        sobol::first(self.sampler.index(), self.sampler.shared(self.bounce, purpose))
     }
 }
 // ANCHOR_END: random

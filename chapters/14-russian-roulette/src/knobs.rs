@@ -22,7 +22,7 @@ pub struct Knobs {
     #[arg(long, value_name = "P", allow_hyphen_values = true, default_value = "0.8")]
     pub survival: Survival,
     /// Below which throughput paths may end, with --roulette throughput
-    #[arg(long, value_name = "T", allow_hyphen_values = true, default_value = "1")]
+    #[arg(long, value_name = "T", allow_hyphen_values = true, default_value = "0.5")]
     pub threshold: Threshold,
     /// The most surfaces that a path may leave, whatever chance says
     #[arg(long, value_name = "N", allow_hyphen_values = true, default_value_t = 1000, value_parser = depth)]

@@ -93,9 +93,9 @@ impl Ending for Roulette {
 // ANCHOR_END: roulette
 
 impl Default for Roulette {
-    /// 1: no path is ever brighter than surfaces made it. `cost` compares others.
+    /// One half, for which `cost` has about the least error for the same time.
     fn default() -> Self {
-        Self { threshold: 1.0 }
+        Self { threshold: 0.5 }
     }
 }
 

@@ -5,7 +5,7 @@ use std::rc::Rc;
 
 use common::cost::{Experiment, Method, Plot, Row, Table};
 use common::film::Film;
-use common::stats::error::film_rmse;
+use common::stats::error::film_relative_mse;
 use common::tally::{Counts, Off};
 use path_tracing::tracer::BOUNCES;
 
@@ -39,8 +39,8 @@ pub(super) fn experiment() -> Option<Experiment<'static>> {
         name: "survival",
         title: "The Cornell box, 24x24, 32 samples: how often paths go on",
         work_unit: "pictures",
-        error_metric: "RMSE of four pictures against one of 2048 samples",
-        plot: Plot::ErrorOverTime("error of the picture (RMSE)"),
+        error_metric: "relative RMSE of four pictures against one of 2048 samples",
+        plot: Plot::ErrorOverTime("relative error of the picture (RMSE)"),
         methods: constants.chain(thresholds).collect(),
         note,
     })
@@ -57,8 +57,7 @@ fn method(
     let (mut squares, mut bounces) = (0.0, 0);
     for seed in 0..PICTURES {
         let (film, tally) = sight.draw::<Counts>(how(seed));
-        let error = film_rmse(truth, &film).unwrap_or(f64::NAN);
-        squares += error * error;
+        squares += film_relative_mse(truth, &film).unwrap_or(f64::NAN);
         bounces += tally.of(BOUNCES);
     }
     let sight = Rc::clone(sight);
