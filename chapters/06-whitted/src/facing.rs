@@ -21,7 +21,7 @@ impl Scatter for Facing {
 
     fn scatter<T: Tally>(&self, ray: &u64, _tally: &mut T) -> Scattered<u64> {
         let weight = Color::splat(self.mirror);
-        let branch = Branch { ray: ray + 1, weight, event: MIRROR_RAYS };
+        let branch = Branch { ray: ray + 1, weight, event: &MIRROR_RAYS };
         Scattered::with(Color::splat(self.light), Some(branch))
     }
 }

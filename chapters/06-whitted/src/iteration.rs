@@ -20,18 +20,20 @@ impl Limits {
     pub fn trace<S: Scatter, T: Tally>(&self, scene: &S, ray: S::Ray, tally: &mut T) -> Color {
         let mut sum = DVec3::ZERO;
         let mut waiting = Vec::new();
-        let mut next = Some(Pending::first(ray));
-        while let Some(current) = next {
+        let mut current = Pending::first(ray);
+        loop {
             let met = scene.scatter(&current.ray, tally);
             sum += current.throughput * met.light.as_dvec3();
-            let [first, second] = self.admit(&current, met.branches, tally);
+            let [first, second] = self.admit(&current, &met.branches, tally);
             if let Some(second) = second {
-                waiting.push(second);
+                waiting.push(second.copied());
                 tally.count(MOST_WAITING, waiting.len() as u64);
             }
-            next = first.or_else(|| waiting.pop());
+            let Some(next) = first.map(Pending::copied).or_else(|| waiting.pop()) else {
+                return sum.as_vec3();
+            };
+            current = next;
         }
-        sum.as_vec3()
     }
 }
 // ANCHOR_END: trace

@@ -52,14 +52,16 @@ impl Limits {
     /// The one that counts less comes first. Of two branches that get at most 1 together, it has at
     /// most half of the throughput. So while the other one waits, at most log₂(3 / cutoff) halvings
     /// follow, and no more than that many branches ever wait at a time.
-    pub fn admit<R: Copy, T: Tally>(
+    pub fn admit<'b, R, T: Tally>(
         &self,
         from: &Pending<R>,
-        branches: [Option<Branch<R>>; 2],
+        branches: &'b [Option<Branch<R>>; 2],
         tally: &mut T,
-    ) -> [Option<Pending<R>>; 2] {
-        let [one, other] =
-            branches.map(|branch| branch.and_then(|branch| self.follow(from, &branch, tally)));
+    ) -> [Option<Pending<&'b R>>; 2] {
+        let mut follow = |branch: &'b Option<Branch<R>>| {
+            branch.as_ref().and_then(|branch| self.follow(from, branch, tally))
+        };
+        let [one, other] = branches.each_ref().map(&mut follow);
         match (one, other) {
             (Some(one), Some(other)) if other.weighs() < one.weighs() => [Some(other), Some(one)],
             (None, other) => [other, None],
@@ -68,12 +70,12 @@ impl Limits {
     }
 
     /// The branch, if it brings any light and passes both limits.
-    pub(crate) fn follow<R: Copy, T: Tally>(
+    pub(crate) fn follow<'b, R, T: Tally>(
         &self,
         from: &Pending<R>,
-        branch: &Branch<R>,
+        branch: &'b Branch<R>,
         tally: &mut T,
-    ) -> Option<Pending<R>> {
+    ) -> Option<Pending<&'b R>> {
         let throughput = from.throughput * branch.weight.as_dvec3();
         // Products below the smallest normal number round to themselves and never get to 0. NaN is
         // above nothing.
@@ -90,11 +92,20 @@ impl Limits {
             return None;
         }
         let depth = from.depth + 1;
-        tally.count(branch.event, 1);
+        tally.count(*branch.event, 1);
         tally.count(DEEPEST, u64::from(depth));
-        Some(Pending { ray: branch.ray, throughput, depth })
+        Some(Pending { ray: &branch.ray, throughput, depth })
     }
     // ANCHOR_END: admit
+}
+
+impl<R: Copy> Pending<&R> {
+    /// The same with a ray of its own.
+    #[inline]
+    pub fn copied(self) -> Pending<R> {
+        let Self { ray, throughput, depth } = self;
+        Pending { ray: *ray, throughput, depth }
+    }
 }
 
 impl<R> Pending<R> {
@@ -106,7 +117,7 @@ impl<R> Pending<R> {
 #[cfg(test)]
 mod tests {
     use common::film::Color;
-    use common::tally::{Counts, Event, Off};
+    use common::tally::{Counts, Event, Off, Tally};
     use glam::DVec3;
 
     use super::{DEEPEST, Limits, Pending, STOPPED_BY_CUTOFF, STOPPED_BY_DEPTH};
@@ -115,10 +126,17 @@ mod tests {
     const FOLLOWED: Event = Event::new(6, 7, "followed");
 
     fn branch(ray: char, weight: f32) -> Option<Branch<char>> {
-        Some(Branch { ray, weight: weight * Color::new(0.5, 1.0, 0.75), event: FOLLOWED })
+        Some(Branch { ray, weight: weight * Color::new(0.5, 1.0, 0.75), event: &FOLLOWED })
     }
 
-    fn rays(admitted: [Option<Pending<char>>; 2]) -> String {
+    /// The rays that are followed after `from`, in their order.
+    fn admitted<T: Tally>(
+        limits: &Limits,
+        from: &Pending<char>,
+        branches: [Option<Branch<char>>; 2],
+        tally: &mut T,
+    ) -> String {
+        let admitted = limits.admit(from, &branches, tally);
         admitted.into_iter().flatten().map(|pending| pending.ray).collect()
     }
 
@@ -126,12 +144,14 @@ mod tests {
     fn the_lesser_branch_comes_first_and_a_lone_one_is_the_first() {
         let limits = Limits { depth: 9, cutoff: 0.0 };
         let first = Pending::first('o');
-        let admit = |one, other| limits.admit(&first, [one, other], &mut Off);
-        assert_eq!(rays(admit(branch('a', 0.3), branch('b', 0.6))), "ab");
-        assert_eq!(rays(admit(branch('a', 0.6), branch('b', 0.3))), "ba");
-        assert_eq!(rays(admit(branch('a', 0.5), branch('b', 0.5))), "ab");
-        assert_eq!(admit(None, branch('b', 0.5)).map(|it| it.map(|it| it.ray)), [Some('b'), None]);
-        assert_eq!(admit(None, None), [None, None]);
+        let admit = |one, other| admitted(&limits, &first, [one, other], &mut Off);
+        assert_eq!(admit(branch('a', 0.3), branch('b', 0.6)), "ab");
+        assert_eq!(admit(branch('a', 0.6), branch('b', 0.3)), "ba");
+        assert_eq!(admit(branch('a', 0.5), branch('b', 0.5)), "ab");
+        assert_eq!(admit(None, None), "");
+        let branches = [None, branch('b', 0.5)];
+        let [one, other] = limits.admit(&first, &branches, &mut Off);
+        assert_eq!((one.map(|it| it.ray), other), (Some(&'b'), None));
     }
 
     #[test]
@@ -140,7 +160,7 @@ mod tests {
         let at = |depth, throughput| Pending { ray: 'o', throughput, depth };
         let mut counts = Counts::default();
         let mut admit = |from: Pending<char>, weight| {
-            rays(limits.admit(&from, [branch('a', weight), None], &mut counts))
+            admitted(&limits, &from, [branch('a', weight), None], &mut counts)
         };
         assert_eq!(admit(at(3, DVec3::ONE), 0.5), "a", "the fourth surface");
         assert_eq!(admit(at(4, DVec3::ONE), 0.5), "", "the fifth");
@@ -160,15 +180,16 @@ mod tests {
         let least = f64::from_bits(1);
         assert_eq!(least * 0.75, least, "the smallest f64 there is");
         let at = |throughput| Pending { ray: 'o', throughput: DVec3::splat(throughput), depth: 0 };
-        let admit = |throughput| limits.admit(&at(throughput), [branch('a', 0.75), None], &mut Off);
-        assert_eq!(rays(admit(least)), "");
-        assert_eq!(rays(admit(1e-300)), "a");
+        let admit =
+            |throughput| admitted(&limits, &at(throughput), [branch('a', 0.75), None], &mut Off);
+        assert_eq!(admit(least), "");
+        assert_eq!(admit(1e-300), "a");
     }
 
     #[test]
     fn a_cutoff_of_almost_1_follows_perfect_mirrors() {
         let limits = Limits { depth: 1, cutoff: 0.999 };
-        let admitted = limits.admit(&Pending::first('o'), [branch('a', 1.0), None], &mut Off);
-        assert_eq!(rays(admitted), "a");
+        let first = Pending::first('o');
+        assert_eq!(admitted(&limits, &first, [branch('a', 1.0), None], &mut Off), "a");
     }
 }

@@ -67,9 +67,8 @@ pub fn most_waiting_in_order<S: Scatter>(limits: &Limits, scene: &S, ray: S::Ray
     while let Some(current) = waiting.pop() {
         let branches = scene.scatter(&current.ray, &mut counts).branches;
         let followed = branches.iter().rev().flatten();
-        let followed: Vec<_> =
-            followed.filter_map(|it| limits.follow(&current, it, &mut counts)).collect();
-        waiting.extend(followed);
+        let followed = followed.filter_map(|it| limits.follow(&current, it, &mut counts));
+        waiting.extend(followed.map(Pending::copied));
         // The last one is followed at once.
         counts.count(MOST_WAITING, waiting.len().saturating_sub(1) as u64);
     }

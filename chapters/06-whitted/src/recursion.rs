@@ -35,8 +35,11 @@ impl Limits {
     ) -> DVec3 {
         let met = scene.scatter(&current.ray, tally);
         let sum = sum + current.throughput * met.light.as_dvec3();
-        let branches = self.admit(current, met.branches, tally);
-        branches.iter().flatten().fold(sum, |sum, branch| self.add(scene, branch, sum, tally))
+        let branches = self.admit(current, &met.branches, tally);
+        branches
+            .iter()
+            .flatten()
+            .fold(sum, |sum, branch| self.add(scene, &branch.copied(), sum, tally))
     }
 }
 // ANCHOR_END: recursion

@@ -32,7 +32,7 @@ pub struct Branch<R> {
     /// most 1: no surface returns more than it gets.
     pub weight: Color,
     /// What is counted when it is followed.
-    pub event: Event,
+    pub event: &'static Event,
 }
 // ANCHOR_END: scatter
 

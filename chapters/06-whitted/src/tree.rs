@@ -47,7 +47,7 @@ impl Tree {
         let branch = |child: u64| {
             let weight = if child == 0 { share } else { Color::ONE - share };
             let ray = node.wrapping_mul(2).wrapping_add(child);
-            (child < self.branches).then_some(Branch { ray, weight, event: FOLLOWED })
+            (child < self.branches).then_some(Branch { ray, weight, event: &FOLLOWED })
         };
         Scattered { light, branches: [branch(0), branch(1)] }
     }

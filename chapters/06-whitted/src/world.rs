@@ -57,7 +57,7 @@ impl<const SHADING: bool, const DETAILS: bool, const SHADOWS: bool, const MIRROR
             return Scattered::only(light);
         }
         let weight = *mirror;
-        let branch = mirrored(ray, &hit).map(|ray| Branch { ray, weight, event: MIRROR_RAYS });
+        let branch = mirrored(ray, &hit).map(|ray| Branch { ray, weight, event: &MIRROR_RAYS });
         Scattered::with(light, branch)
     }
 }

@@ -21,7 +21,7 @@ use crate::index::Index;
 use crate::inside::Inside;
 use crate::interface::Interface;
 use crate::passage::{Met, index, next};
-use crate::path::{Branching, Formula, Path};
+use crate::path::{Branching, Formula, Path, WHICH_WAY};
 use crate::schlick;
 use crate::shade::{Lit, Seen, Sent};
 
@@ -48,48 +48,19 @@ pub struct Integrator<'a, L, const MIRRORS: bool, const GLASS: bool> {
     pub lit: L,
 }
 
+/// The same for the rays of one sample, with its random numbers. They are not in the [`Path`]: that
+/// is copied at every surface, and a smaller one is copied faster.
+struct Sampled<'a, L, const MIRRORS: bool, const GLASS: bool> {
+    integrator: &'a Integrator<'a, L, MIRRORS, GLASS>,
+    sampler: &'a Sampler,
+}
+
 impl<L, const MIRRORS: bool, const GLASS: bool> Integrator<'_, L, MIRRORS, GLASS> {
     /// The path of a camera ray.
-    pub fn first(&self, ray: Ray, sampler: &Sampler) -> Path {
+    fn first(&self, ray: Ray) -> Path {
         let direction = if GLASS { precise(ray.direction) } else { DVec3::ZERO };
-        Path { ray, direction, inside: self.around_eye, bounce: 0, sampler: *sampler }
+        Path { ray, direction, inside: self.around_eye, bounce: 0 }
     }
-
-    // ANCHOR: split
-    /// The two rays that leave an interface: what it reflects, and what it lets through.
-    ///
-    /// What is followed is radiance divided by n². Refraction changes radiance by just that
-    /// square, so nothing has to be scaled here: the parts add up to 1.
-    #[inline]
-    fn split<T: Tally>(
-        &self,
-        path: &Path,
-        hit: &Hit,
-        interface: &Interface,
-        [near, far]: [Inside; 2],
-        tally: &mut T,
-    ) -> [Option<Branch<Path>>; 2] {
-        let Bent { incidence, reflected, refracted, side } = bent(path.direction, hit, interface);
-        let reflected = path.at(hit, reflected, side, near);
-        let Some(Refracted { cosine, direction }) = refracted else {
-            tally.count(TOTAL_REFLECTIONS, 1);
-            return [branch(reflected, 1.0, REFLECTED), None];
-        };
-        let refracted = path.at(hit, direction, -side, far);
-        let part = match self.formula {
-            Formula::Exact => dielectric::between(interface, incidence.cosine, cosine),
-            Formula::Schlick => schlick::between(interface, incidence.cosine, cosine),
-        } as f32;
-        match self.branching {
-            Branching::Both => {
-                [branch(reflected, part, REFLECTED), branch(refracted, 1.0 - part, REFRACTED)]
-            }
-            // Chosen as often as it counts, it counts in full.
-            Branching::One if path.chance() < part => [branch(reflected, 1.0, REFLECTED), None],
-            Branching::One => [branch(refracted, 1.0, REFRACTED), None],
-        }
-    }
-    // ANCHOR_END: split
 
     /// What metal reflects.
     fn off_metal(&self, met: &Place, metal: &Metal) -> Scattered<Path> {
@@ -109,8 +80,8 @@ impl<L, const MIRRORS: bool, const GLASS: bool> Integrator<'_, L, MIRRORS, GLASS
         let Place { path, hit, inside } = *met;
         let ray = mirror::mirrored(&path.ray, hit)?;
         let direction = if GLASS { precise(ray.direction) } else { DVec3::ZERO };
-        let path = Path { ray, direction, inside, bounce: path.bounce + 1, ..*path };
-        Some(Branch { ray: path, weight: color, event: MIRROR_RAYS })
+        let path = Path { ray, direction, inside, bounce: path.bounce + 1 };
+        Some(Branch { ray: path, weight: color, event: &MIRROR_RAYS })
     }
 
     fn index(&self, inside: Inside) -> Index {
@@ -134,7 +105,52 @@ impl<L, const MIRRORS: bool, const GLASS: bool> Integrator<'_, L, MIRRORS, GLASS
     // ANCHOR_END: seen
 }
 
-fn branch(ray: Path, part: f32, event: Event) -> Option<Branch<Path>> {
+impl<L, const MIRRORS: bool, const GLASS: bool> Sampled<'_, L, MIRRORS, GLASS> {
+    // ANCHOR: split
+    /// The two rays that leave an interface: what it reflects, and what it lets through.
+    ///
+    /// What is followed is radiance divided by n². Refraction changes radiance by just that
+    /// square, so nothing has to be scaled here: the parts add up to 1.
+    #[inline]
+    fn split<T: Tally>(
+        &self,
+        path: &Path,
+        hit: &Hit,
+        interface: &Interface,
+        [near, far]: [Inside; 2],
+        tally: &mut T,
+    ) -> [Option<Branch<Path>>; 2] {
+        let Bent { incidence, reflected, refracted, side } = bent(path.direction, hit, interface);
+        let reflected = path.at(hit, reflected, side, near);
+        let Some(Refracted { cosine, direction }) = refracted else {
+            tally.count(TOTAL_REFLECTIONS, 1);
+            return [branch(reflected, 1.0, &REFLECTED), None];
+        };
+        let refracted = path.at(hit, direction, -side, far);
+        let part = match self.integrator.formula {
+            Formula::Exact => dielectric::between(interface, incidence.cosine, cosine),
+            Formula::Schlick => schlick::between(interface, incidence.cosine, cosine),
+        } as f32;
+        match self.integrator.branching {
+            Branching::Both => {
+                [branch(reflected, part, &REFLECTED), branch(refracted, 1.0 - part, &REFRACTED)]
+            }
+            // Chosen as often as it counts, it counts in full.
+            Branching::One if self.chance(path) < part => {
+                [branch(reflected, 1.0, &REFLECTED), None]
+            }
+            Branching::One => [branch(refracted, 1.0, &REFRACTED), None],
+        }
+    }
+    // ANCHOR_END: split
+
+    /// The random number that chooses between reflection and refraction here, in [0, 1).
+    fn chance(&self, path: &Path) -> f32 {
+        self.sampler.stream(path.bounce, WHICH_WAY).uniform()
+    }
+}
+
+fn branch(ray: Path, part: f32, event: &'static Event) -> Option<Branch<Path>> {
     Some(Branch { ray, weight: Color::splat(part), event })
 }
 
@@ -144,29 +160,30 @@ impl<
     const SHADOWS: bool,
     const MIRRORS: bool,
     const GLASS: bool,
-> Scatter for Integrator<'_, Lit<SHADING, DETAILS, SHADOWS>, MIRRORS, GLASS>
+> Scatter for Sampled<'_, Lit<SHADING, DETAILS, SHADOWS>, MIRRORS, GLASS>
 {
     type Ray = Path;
 
     // ANCHOR: scatter
     #[inline]
     fn scatter<T: Tally>(&self, path: &Path, tally: &mut T) -> Scattered<Path> {
+        let integrator = self.integrator;
         if !GLASS {
-            let Some(found) = self.scene.nearest(&path.ray, tally) else {
-                return Scattered::only(self.background());
+            let Some(found) = integrator.scene.nearest(&path.ray, tally) else {
+                return Scattered::only(integrator.background());
             };
             let surface = &found.object.material;
-            return self.off_surface(path, &found.hit, path.inside, surface, tally);
+            return integrator.off_surface(path, &found.hit, path.inside, surface, tally);
         }
-        match next(self.scene, &path.ray, path.inside, tally) {
-            None => Scattered::only(self.background()),
+        match next(integrator.scene, &path.ray, path.inside, tally) {
+            None => Scattered::only(integrator.background()),
             Some(Met::Interface { hit, interface, sides }) => {
                 let hit = detailed::<DETAILS, T>(&hit, tally);
                 let branches = self.split(path, &hit, &interface, sides, tally);
                 Scattered { light: Color::ZERO, branches }
             }
             Some(Met::Surface { hit, surface, inside }) => {
-                self.off_surface(path, &hit, inside, surface, tally)
+                integrator.off_surface(path, &hit, inside, surface, tally)
             }
         }
     }
@@ -269,7 +286,10 @@ impl<
         tally: &mut T,
     ) -> Color {
         match MIRRORS || GLASS {
-            true => limits.trace(self, self.first(ray, sampler), tally),
+            true => {
+                let sampled = Sampled { integrator: self, sampler };
+                limits.trace(&sampled, self.first(ray), tally)
+            }
             false => self.met_only(&ray, tally),
         }
     }

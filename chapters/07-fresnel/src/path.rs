@@ -1,6 +1,6 @@
 //! A ray on its way through glass, and the choices that a reader has.
 
-use common::sampler::{Purpose, Sampler};
+use common::sampler::Purpose;
 use glam::DVec3;
 use ray_casting::ray::Ray;
 use ray_casting::shape::Hit;
@@ -42,8 +42,6 @@ pub struct Path {
     pub inside: Inside,
     /// How many surfaces it has left.
     pub bounce: u32,
-    /// Its random numbers.
-    pub sampler: Sampler,
 }
 // ANCHOR_END: path
 
@@ -51,14 +49,9 @@ impl Path {
     /// The path that goes on from `hit` in `direction`, on the surface's side that `side` points to.
     pub(crate) fn at(&self, hit: &Hit, direction: DVec3, side: DVec3, inside: Inside) -> Self {
         let ray = Ray { origin: spawn(hit, side.as_vec3()), direction: direction.as_vec3() };
-        Self { ray, direction, inside, bounce: self.bounce + 1, ..*self }
-    }
-
-    /// The random number that chooses between reflection and refraction here, in [0, 1).
-    pub(crate) fn chance(&self) -> f32 {
-        self.sampler.stream(self.bounce, WHICH_WAY).uniform()
+        Self { ray, direction, inside, bounce: self.bounce + 1 }
     }
 }
 
 /// What the random number is for that chooses one of two rays.
-const WHICH_WAY: Purpose = Purpose::named("reflect or refract");
+pub(crate) const WHICH_WAY: Purpose = Purpose::named("reflect or refract");

@@ -29,7 +29,7 @@ impl Scatter for Unchecked<'_> {
         let Some(found) = self.0.scene.nearest(ray, tally) else { return met };
         let weight = found.object.material.mirror;
         let branch = unchecked(ray, &found.hit).filter(|_| weight != Color::ZERO);
-        Scattered::with(met.light, branch.map(|ray| Branch { ray, weight, event: MIRROR_RAYS }))
+        Scattered::with(met.light, branch.map(|ray| Branch { ray, weight, event: &MIRROR_RAYS }))
     }
 }
 

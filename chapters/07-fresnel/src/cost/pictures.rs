@@ -69,8 +69,7 @@ impl Sight {
             let mut sum = DVec3::ZERO;
             for sample in 0..spp {
                 let sampler = Sampler::new(1, pixel, sample, spp);
-                let path = integrator.first(*ray, &sampler);
-                sum += limits.trace(&integrator, path, &mut tally).as_dvec3();
+                sum += integrator.radiance(&limits, *ray, &sampler, &mut tally).as_dvec3();
             }
             channels.extend((sum / f64::from(spp)).to_array());
         }
