@@ -17,10 +17,20 @@ impl Limits {
     ///
     /// A ray with one branch goes on without the list, so mirrors never need it. How long it can
     /// grow is with [`Limits::admit`].
+    #[inline]
     pub fn trace<S: Scatter, T: Tally>(&self, scene: &S, ray: S::Ray, tally: &mut T) -> Color {
+        self.trace_from(scene, Pending::first(ray), tally).as_vec3()
+    }
+
+    /// What `current` and all its branches bring.
+    fn trace_from<S: Scatter, T: Tally>(
+        &self,
+        scene: &S,
+        mut current: Pending<S::Ray>,
+        tally: &mut T,
+    ) -> DVec3 {
         let mut sum = DVec3::ZERO;
         let mut waiting = Vec::new();
-        let mut current = Pending::first(ray);
         loop {
             let met = scene.scatter(&current.ray, tally);
             sum += current.throughput * met.light.as_dvec3();
@@ -30,7 +40,7 @@ impl Limits {
                 tally.count(MOST_WAITING, waiting.len() as u64);
             }
             let Some(next) = first.map(Pending::copied).or_else(|| waiting.pop()) else {
-                return sum.as_vec3();
+                return sum;
             };
             current = next;
         }

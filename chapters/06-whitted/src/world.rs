@@ -44,32 +44,34 @@ impl<const SHADING: bool, const DETAILS: bool, const SHADOWS: bool, const MIRROR
 
     #[inline]
     fn scatter<T: Tally>(&self, ray: &Ray, tally: &mut T) -> Scattered<Ray> {
-        let Some(found) = self.scene.nearest(ray, tally) else {
+        let Some(mut found) = self.scene.nearest(ray, tally) else {
             return Scattered::only(self.scene.background);
         };
         let Mirrored { surface, mirror } = &found.object.material;
-        let hit = detailed::<DETAILS, T>(&found.hit, tally);
+        let hit = &*detailed::<DETAILS, T>(&mut found.hit, tally);
         let light = match SHADING {
-            true => local::<DETAILS, SHADOWS, T>(self.scene, surface, &hit, -ray.direction, tally),
+            true => local::<DETAILS, SHADOWS, T>(self.scene, surface, hit, -ray.direction, tally),
             false => Color::ZERO,
         };
         if !MIRRORS || *mirror == Color::ZERO {
             return Scattered::only(light);
         }
         let weight = *mirror;
-        let branch = mirrored(ray, &hit).map(|ray| Branch { ray, weight, event: &MIRROR_RAYS });
+        let branch = mirrored(ray, hit).map(|ray| Branch { ray, weight, event: &MIRROR_RAYS });
         Scattered::with(light, branch)
     }
 }
 // ANCHOR_END: scatter
 
 /// The hit with the normal to shade it with: the surface's own where there are no details.
-pub fn detailed<const DETAILS: bool, T: Tally>(hit: &Hit, tally: &mut T) -> Hit {
-    if !DETAILS {
-        return Hit { normal: hit.geometric, ..*hit };
+#[inline]
+pub fn detailed<'h, const DETAILS: bool, T: Tally>(hit: &'h mut Hit, tally: &mut T) -> &'h mut Hit {
+    if DETAILS {
+        tally.count(SMOOTH_NORMALS, u64::from(hit.normal != hit.geometric));
+    } else {
+        hit.normal = hit.geometric;
     }
-    tally.count(SMOOTH_NORMALS, u64::from(hit.normal != hit.geometric));
-    *hit
+    hit
 }
 
 // ANCHOR: local

@@ -84,6 +84,7 @@ pub struct Refracted {
 // ANCHOR: bent
 /// Where light goes on from `hit`: by the normal it is to be shaded with, or by the surface's own
 /// where that one would send a ray to the wrong side.
+#[inline]
 pub fn bent(direction: DVec3, hit: &Hit, interface: &Interface) -> Bent {
     let flat = Incidence::new(direction, hit.geometric);
     if hit.normal != hit.geometric {

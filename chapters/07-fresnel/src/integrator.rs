@@ -117,16 +117,16 @@ impl<L, const MIRRORS: bool, const GLASS: bool> Sampled<'_, L, MIRRORS, GLASS> {
         path: &Path,
         hit: &Hit,
         interface: &Interface,
-        [near, far]: [Inside; 2],
+        [near, far]: &[Inside; 2],
         tally: &mut T,
     ) -> [Option<Branch<Path>>; 2] {
         let Bent { incidence, reflected, refracted, side } = bent(path.direction, hit, interface);
-        let reflected = path.at(hit, reflected, side, near);
+        let reflected = path.at(hit, reflected, side, *near);
         let Some(Refracted { cosine, direction }) = refracted else {
             tally.count(TOTAL_REFLECTIONS, 1);
             return [branch(reflected, 1.0, &REFLECTED), None];
         };
-        let refracted = path.at(hit, direction, -side, far);
+        let refracted = path.at(hit, direction, -side, *far);
         let part = match self.integrator.formula {
             Formula::Exact => dielectric::between(interface, incidence.cosine, cosine),
             Formula::Schlick => schlick::between(interface, incidence.cosine, cosine),
@@ -169,21 +169,21 @@ impl<
     fn scatter<T: Tally>(&self, path: &Path, tally: &mut T) -> Scattered<Path> {
         let integrator = self.integrator;
         if !GLASS {
-            let Some(found) = integrator.scene.nearest(&path.ray, tally) else {
+            let Some(mut found) = integrator.scene.nearest(&path.ray, tally) else {
                 return Scattered::only(integrator.background());
             };
             let surface = &found.object.material;
-            return integrator.off_surface(path, &found.hit, path.inside, surface, tally);
+            return integrator.off_surface(path, &mut found.hit, path.inside, surface, tally);
         }
-        match next(integrator.scene, &path.ray, path.inside, tally) {
+        match &mut next(integrator.scene, &path.ray, path.inside, tally) {
             None => Scattered::only(integrator.background()),
             Some(Met::Interface { hit, interface, sides }) => {
-                let hit = detailed::<DETAILS, T>(&hit, tally);
-                let branches = self.split(path, &hit, &interface, sides, tally);
+                let hit = detailed::<DETAILS, T>(hit, tally);
+                let branches = self.split(path, hit, interface, sides, tally);
                 Scattered { light: Color::ZERO, branches }
             }
             Some(Met::Surface { hit, surface, inside }) => {
-                integrator.off_surface(path, &hit, inside, surface, tally)
+                integrator.off_surface(path, hit, *inside, surface, tally)
             }
         }
     }
@@ -218,13 +218,13 @@ impl<
     fn off_surface<T: Tally>(
         &self,
         path: &Path,
-        hit: &Hit,
+        hit: &mut Hit,
         inside: Inside,
         surface: &Surface,
         tally: &mut T,
     ) -> Scattered<Path> {
         let hit = detailed::<DETAILS, T>(hit, tally);
-        let met = Place { path, hit: &hit, inside };
+        let met = Place { path, hit, inside };
         match surface {
             Surface::Opaque(material) => self.off_opaque(&met, material, tally),
             Surface::Polished(material) => self.off_polished(&met, material, tally),
@@ -297,11 +297,11 @@ impl<
     /// The same where nothing reflects and nothing is let through: no path is needed for that.
     #[inline]
     fn met_only<T: Tally>(&self, ray: &Ray, tally: &mut T) -> Color {
-        let Some(found) = self.scene.nearest(ray, tally) else { return self.background() };
-        let hit = detailed::<DETAILS, T>(&found.hit, tally);
+        let Some(mut found) = self.scene.nearest(ray, tally) else { return self.background() };
+        let hit = detailed::<DETAILS, T>(&mut found.hit, tally);
         match &found.object.material {
             Surface::Opaque(material) | Surface::Polished(material) => {
-                let sent = self.sent(ray, &hit, Inside::default(), material, tally);
+                let sent = self.sent(ray, hit, Inside::default(), material, tally);
                 sent.ambient + sent.lamps
             }
             Surface::Metal(_) | Surface::Glass(_) => Color::ZERO,

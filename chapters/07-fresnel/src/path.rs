@@ -47,6 +47,7 @@ pub struct Path {
 
 impl Path {
     /// The path that goes on from `hit` in `direction`, on the surface's side that `side` points to.
+    #[inline]
     pub(crate) fn at(&self, hit: &Hit, direction: DVec3, side: DVec3, inside: Inside) -> Self {
         let ray = Ray { origin: spawn(hit, side.as_vec3()), direction: direction.as_vec3() };
         Self { ray, direction, inside, bounce: self.bounce + 1 }
