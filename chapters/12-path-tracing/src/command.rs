@@ -83,11 +83,9 @@ impl Chapter for PathTracing {
         let shot = Shot { camera: &stage.camera, lighting: ByDirection, ending: Never, depth };
         let world = stage.world();
         // ANCHOR: narrow
-        let specular =
-            [Effect::MirrorReflection, Effect::Refraction].map(|effect| plan.simulates(effect));
-        match world.narrowed(Smooth::lambert) {
-            Some(matte) if specular == [false; 2] => shot.draw(&matte, plan, settings),
-            _ => shot.draw(&world, plan, settings),
+        match world.matte(plan) {
+            Some(matte) => shot.draw(&matte, plan, settings),
+            None => shot.draw(&world, plan, settings),
         }
         // ANCHOR_END: narrow
     }

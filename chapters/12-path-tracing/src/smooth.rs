@@ -1,7 +1,7 @@
 //! The materials of this chapter.
 
 use common::film::Color;
-use common::plan::Effect;
+use common::plan::{Effect, Plan};
 use glam::Vec3;
 
 use crate::bsdf::{Bsdf, BsdfSample, Material, MaterialError, check_reflectance};
@@ -9,6 +9,7 @@ use crate::glass::Glass;
 use crate::lambert::Lambert;
 use crate::mirror::Mirror;
 use crate::random::Random;
+use crate::world::World;
 
 // ANCHOR: smooth
 /// A material whose surface is either perfectly rough or perfectly smooth.
@@ -98,6 +99,17 @@ impl Material for Smooth {
         }
     }
 }
+
+// ANCHOR: matte
+impl<'a> World<'a, Smooth> {
+    /// The same scene of matte surfaces, where it has no others and `plan` simulates no others.
+    pub fn matte(&self, plan: &Plan) -> Option<World<'a, Lambert>> {
+        let specular = [Effect::MirrorReflection, Effect::Refraction];
+        let matte = !specular.iter().any(|&effect| plan.simulates(effect));
+        matte.then(|| self.narrowed(Smooth::lambert)).flatten()
+    }
+}
+// ANCHOR_END: matte
 
 #[cfg(test)]
 mod tests {

@@ -84,11 +84,9 @@ impl Chapter for LightSampling {
         knobs: &Options,
     ) -> Rendering<T> {
         let world = stage.world();
-        let specular =
-            [Effect::MirrorReflection, Effect::Refraction].map(|effect| plan.simulates(effect));
-        match world.narrowed(Smooth::lambert) {
-            Some(matte) if specular == [false; 2] => lit(&matte, stage, plan, settings, knobs),
-            _ => lit(&world, stage, plan, settings, knobs),
+        match world.matte(plan) {
+            Some(matte) => lit(&matte, stage, plan, settings, knobs),
+            None => lit(&world, stage, plan, settings, knobs),
         }
     }
 

@@ -19,7 +19,7 @@ use path_tracing::tracer::{
     BOUNCES, LAMPS_MET, LONGEST_PATH, SKY_SEEN, SPECULAR_BOUNCES, TRUNCATED_PATHS,
 };
 use path_tracing::world::World;
-use ray_casting::camera::CAMERA_RAYS;
+use ray_casting::camera::{CAMERA_RAYS, Camera};
 use shadows::visibility::{BLOCKED_RAYS, SHADOW_RAYS};
 use triangles::brute::TRIANGLE_TESTS;
 
@@ -79,11 +79,9 @@ impl Chapter for RussianRoulette {
         knobs: &Knobs,
     ) -> Rendering<T> {
         let world = stage.world();
-        let specular =
-            [Effect::MirrorReflection, Effect::Refraction].map(|effect| plan.simulates(effect));
-        match world.narrowed(Smooth::lambert) {
-            Some(matte) if specular == [false; 2] => lit(&matte, stage, plan, settings, knobs),
-            _ => lit(&world, stage, plan, settings, knobs),
+        match world.matte(plan) {
+            Some(matte) => lit(&matte, &stage.camera, plan, settings, knobs),
+            None => lit(&world, &stage.camera, plan, settings, knobs),
         }
     }
 
@@ -96,15 +94,15 @@ impl Chapter for RussianRoulette {
     }
 }
 
-/// The picture, with light looked for and paths ended as the options say.
-fn lit<B: Bsdf, T: Tally>(
+/// The picture of any materials, with light looked for and paths ended as the options say.
+pub fn lit<B: Bsdf, T: Tally>(
     world: &World<B>,
-    stage: &Stage<Smooth>,
+    camera: &Camera,
     plan: &Plan,
     settings: &Settings,
     knobs: &Knobs,
 ) -> Rendering<T> {
-    let (camera, ending, depth) = (&stage.camera, knobs.rule(), knobs.depth);
+    let (ending, depth) = (knobs.rule(), knobs.depth);
     match knobs.lighting.way().filter(|_| plan.simulates(Effect::AreaLights)) {
         Some(way) => {
             let lights = Lights::new(world.space, &world.surfaces, knobs.lamps.into(), way);

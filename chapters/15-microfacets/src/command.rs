@@ -7,16 +7,10 @@ use common::hard::Case;
 use common::plan::{Call, Effect, Plan, Skill};
 use common::render::{Rendering, Settings};
 use common::tally::{Event, Tally};
-use light_sampling::by_light::ByLight;
-use light_sampling::lights::Lights;
-use path_tracing::bsdf::Bsdf;
-use path_tracing::shot::Shot;
 use path_tracing::stage::Stage;
-use path_tracing::strategy::ByDirection;
-use path_tracing::world::World;
-use russian_roulette::command::EVENTS;
+use russian_roulette::command::{EVENTS, lit};
 
-use crate::finish::Finish;
+use crate::finish::{Finish, Narrowest};
 use crate::knobs::Knobs;
 use crate::scenes::{self, SCENES};
 use crate::{cost, hard};
@@ -65,27 +59,19 @@ impl Chapter for Microfacets {
         stage.calls.clone()
     }
 
-    // ANCHOR: draw
     fn draw<T: Tally>(
         stage: &Stage<Finish>,
         plan: &Plan,
         settings: &Settings,
         knobs: &Knobs,
     ) -> Rendering<T> {
-        let world = stage.world();
-        let specular = [Effect::MirrorReflection, Effect::Refraction];
-        let specular = specular.iter().any(|&effect| plan.simulates(effect));
-        if plan.simulates(Effect::GlossyReflection) {
-            return lit(&world, stage, plan, settings, knobs);
-        }
-        // Nothing rough is simulated: materials that have no case for it.
-        match (world.narrowed(Finish::lambert), world.narrowed(Finish::smooth)) {
-            (Some(matte), _) if !specular => lit(&matte, stage, plan, settings, knobs),
-            (_, Some(smooth)) => lit(&smooth, stage, plan, settings, knobs),
-            _ => lit(&world, stage, plan, settings, knobs),
+        let (camera, path) = (&stage.camera, &knobs.path);
+        match Narrowest::new(stage.world(), plan) {
+            Narrowest::Matte(world) => lit(&world, camera, plan, settings, path),
+            Narrowest::Smooth(world) => lit(&world, camera, plan, settings, path),
+            Narrowest::Finish(world) => lit(&world, camera, plan, settings, path),
         }
     }
-    // ANCHOR_END: draw
 
     fn cost() -> Vec<Experiment<'static>> {
         cost::experiments()
@@ -97,26 +83,6 @@ impl Chapter for Microfacets {
 
     fn hard_picture() -> Option<Film> {
         Some(hard::picture())
-    }
-}
-
-/// The picture of any materials, with light looked for and paths ended as the options say.
-fn lit<B: Bsdf, T: Tally>(
-    world: &World<B>,
-    stage: &Stage<Finish>,
-    plan: &Plan,
-    settings: &Settings,
-    knobs: &Knobs,
-) -> Rendering<T> {
-    let knobs = &knobs.path;
-    let (camera, ending, depth) = (&stage.camera, knobs.rule(), knobs.depth);
-    match knobs.lighting.way().filter(|_| plan.simulates(Effect::AreaLights)) {
-        Some(way) => {
-            let lights = Lights::new(world.space, &world.surfaces, knobs.lamps.into(), way);
-            let lighting = ByLight { lights: &lights };
-            Shot { camera, lighting, ending, depth }.draw(world, plan, settings)
-        }
-        None => Shot { camera, lighting: ByDirection, ending, depth }.draw(world, plan, settings),
     }
 }
 

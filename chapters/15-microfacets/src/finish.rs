@@ -1,12 +1,13 @@
 //! The materials of chapters 12 and 15.
 
 use common::film::Color;
-use common::plan::Effect;
+use common::plan::{Effect, Plan};
 use glam::Vec3;
 use path_tracing::bsdf::{Bsdf, BsdfSample, Material, MaterialError};
 use path_tracing::lambert::Lambert;
 use path_tracing::random::Random;
 use path_tracing::smooth::Smooth;
+use path_tracing::world::World;
 
 use crate::facets::Facets;
 use crate::rough::Rough;
@@ -56,6 +57,31 @@ impl From<Rough> for Finish {
         Self::Rough(rough)
     }
 }
+
+// ANCHOR: narrowest
+/// A scene in the simplest materials that it can be drawn with: those that are left out have no case
+/// in the program.
+#[derive(Clone, Debug)]
+pub enum Narrowest<'a> {
+    /// All is matte.
+    Matte(World<'a, Lambert>),
+    /// Nothing is rough.
+    Smooth(World<'a, Smooth>),
+    /// Anything may be.
+    Finish(World<'a, Finish>),
+}
+
+impl<'a> Narrowest<'a> {
+    /// Of `world`, where `plan` is simulated.
+    pub fn new(world: World<'a, Finish>, plan: &Plan) -> Self {
+        let rough = plan.simulates(Effect::GlossyReflection);
+        match (!rough).then(|| world.narrowed(Finish::smooth)).flatten() {
+            Some(smooth) => smooth.matte(plan).map_or(Self::Smooth(smooth), Self::Matte),
+            None => Self::Finish(world),
+        }
+    }
+}
+// ANCHOR_END: narrowest
 
 impl Bsdf for Finish {
     #[inline]
@@ -111,5 +137,31 @@ impl Material for Finish {
             Self::Smooth(smooth) => smooth.reflects(),
             Self::Rough(rough) => rough.reflects(),
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use common::plan::{Plan, Simulate};
+    use path_tracing::stage::Stage;
+
+    use super::Narrowest;
+    use crate::command::SKILLS;
+    use crate::scenes::named;
+
+    #[test]
+    fn no_material_that_the_scene_or_the_plan_does_not_call_for() {
+        let narrowest = |name: &str, simulate| {
+            let stage = Stage::new(&named(name, 0.5).expect("a scene")).expect("sound");
+            match Narrowest::new(stage.world(), &Plan::new(&stage.calls, SKILLS, simulate)) {
+                Narrowest::Matte(_) => "matte",
+                Narrowest::Smooth(_) => "smooth",
+                Narrowest::Finish(_) => "finish",
+            }
+        };
+        assert_eq!(narrowest("cornell", Simulate::Needed), "matte");
+        assert_eq!(narrowest("cornell-glass", Simulate::Needed), "smooth");
+        assert_eq!(narrowest("rough-metals", Simulate::Needed), "finish");
+        assert_eq!(narrowest("cornell", Simulate::All), "finish");
     }
 }

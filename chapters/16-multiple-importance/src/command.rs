@@ -9,7 +9,7 @@ use common::tally::{Event, Tally};
 use light_sampling::by_light::ByLight;
 use light_sampling::lights::Lights;
 use microfacets::command::SKILLS;
-use microfacets::finish::Finish;
+use microfacets::finish::{Finish, Narrowest};
 use microfacets::knobs::Roughness;
 use path_tracing::bsdf::Bsdf;
 use path_tracing::shot::Shot;
@@ -70,18 +70,11 @@ impl Chapter for MultipleImportance {
         settings: &Settings,
         knobs: &Knobs,
     ) -> Rendering<T> {
-        let world = stage.world();
-        let specular = [Effect::MirrorReflection, Effect::Refraction];
-        let specular = specular.iter().any(|&effect| plan.simulates(effect));
         let picture = Picture { stage, plan, settings, knobs };
-        if plan.simulates(Effect::GlossyReflection) {
-            return picture.of(&world);
-        }
-        // Nothing rough is simulated: materials that have no case for it.
-        match (world.narrowed(Finish::lambert), world.narrowed(Finish::smooth)) {
-            (Some(matte), _) if !specular => picture.of(&matte),
-            (_, Some(smooth)) => picture.of(&smooth),
-            _ => picture.of(&world),
+        match Narrowest::new(stage.world(), plan) {
+            Narrowest::Matte(world) => picture.of(&world),
+            Narrowest::Smooth(world) => picture.of(&world),
+            Narrowest::Finish(world) => picture.of(&world),
         }
     }
 
