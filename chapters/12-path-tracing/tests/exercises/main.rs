@@ -68,7 +68,7 @@ fn exercise_12_4() -> Result<(), Failure> {
     Exercise {
         chapter: CHAPTER,
         number: "12.4",
-        title: "Find the mistake: what is met before anything is",
+        title: "Find the mistake: a question too early",
         section: "The loop",
         cases: cases::rays,
         expected: Ray::radiance,

@@ -37,7 +37,7 @@ pub(super) fn experiment() -> Option<Experiment<'static>> {
     let methods: Vec<Method> = [1, 4, 16, 64].into_iter().flat_map(of).collect();
     Some(Experiment {
         name: "plates",
-        title: "Veach's plates without the lamps, 64x32, to a depth of 2",
+        title: "Veach's plates, but for pixels that show a lamp, 64x32, to a depth of 2",
         work_unit: "paths",
         error_metric: "relative RMSE against 2048 spp of both ways, itself off by less than 0.05",
         plot: Plot::ErrorOver { size: "samples of a pixel", error: "relative error (RMSE)" },

@@ -102,6 +102,27 @@ pub(crate) fn of_tiny_path() -> Vec<Mistake<Trip, Estimate>> {
             },
         },
         Mistake {
+            name: "another number for the sky",
+            diagnosis: "You asked with a second random number whether the sky is seen, so only those that \
+                missed the lamp were asked: too few. One number decides between lamp, sky and wall. See \
+                'The loop'.",
+            answer: |trip| {
+                trip.estimate(|tiny, depth, random| {
+                    let mut throughput = 1.0;
+                    for _ in 0..depth {
+                        throughput *= tiny.albedo;
+                        if random() < tiny.lamp_share {
+                            return throughput * tiny.lamp;
+                        }
+                        if random() < tiny.sky_share {
+                            return throughput * tiny.sky;
+                        }
+                    }
+                    0.0
+                })
+            },
+        },
+        Mistake {
             name: "the sky is not weighted",
             diagnosis: "The sky's light passes the same walls on its way to the eye as the lamp's. Weigh it \
                 with the throughput. See 'The loop'.",

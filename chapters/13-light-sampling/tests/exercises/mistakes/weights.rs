@@ -20,6 +20,13 @@ pub(crate) fn of_density() -> Vec<Mistake<Spot, f32>> {
             answer: |it| it.area * it.cosine / (it.distance * it.distance),
         },
         Mistake {
+            name: "the factor upside down",
+            diagnosis: "You multiplied by cosine over distance squared. A piece of the lamp fills that much \
+                solid angle of its area, so a density per steradian is divided by it. See 'From directions \
+                to points'.",
+            answer: |it| it.cosine / (it.distance * it.distance * it.area),
+        },
+        Mistake {
             name: "still one over the area",
             diagnosis: "You gave the density per area. A direction's density is per steradian: a piece of \
                 the lamp is seen as cosine over distance squared of its area. See 'From directions to \

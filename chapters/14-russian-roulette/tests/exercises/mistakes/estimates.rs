@@ -81,6 +81,21 @@ pub(crate) fn of_furnace() -> Vec<Mistake<Room, Estimate>> {
             },
         },
         Mistake {
+            name: "the report's line in a path",
+            diagnosis: "Your path stops as often as it should go on, and goes on as often as it should \
+                        stop. Turn the comparison round. See 'The report's line'.",
+            answer: |room| {
+                room.mean(|albedo, survival, chances| {
+                    let (mut radiance, mut throughput) = (1.0, 1.0);
+                    while chances.uniform() >= survival {
+                        throughput *= albedo / survival;
+                        radiance += throughput;
+                    }
+                    radiance
+                })
+            },
+        },
+        Mistake {
             name: "what was gathered is divided too",
             diagnosis: "You divide all that the path has brought so far when it goes on. What it \
                         found before the decision was found in any case: only what comes after it \

@@ -15,8 +15,8 @@ pub(crate) fn of_variance() -> Vec<Mistake<Room, Option<f64>>> {
     vec![
         Mistake {
             name: "always finite",
-            diagnosis: "You give a number where there is none: below the albedo's square the rare long \
-                        paths carry so much that the variance is infinite, and your formula turns \
+            diagnosis: "You give a number where it is infinite: below the albedo's square the rare long \
+                        paths carry so much that the variance has no bound, and your formula turns \
                         negative. See 'The price in noise'.",
             answer: |room| {
                 let (albedo, survival) = of(room);

@@ -19,6 +19,16 @@ pub(crate) fn of_density() -> Vec<Mistake<Facet, f32>> {
             answer: |facet| naive::density(facet.alpha, facet.normal.z),
         },
         Mistake {
+            name: "digits are lost at the top",
+            diagnosis: "1 - z² has lost its digits where z is nearly 1, and they don't come back. Use x² + y² \
+                in its place. See 'How facets lie'.",
+            answer: |&Facet { alpha, normal }| {
+                let (squared, cosine) = (alpha * alpha, normal.z * normal.z);
+                let bracket = 1.0 - cosine + squared * cosine;
+                squared / (PI * bracket * bracket)
+            },
+        },
+        Mistake {
             name: "the roughness is squared first",
             diagnosis: "You took the roughness's square for alpha, as some programs do with the \
                 number an artist gives. Here alpha itself is given. See 'How facets lie'.",

@@ -16,6 +16,12 @@ pub(crate) fn of_power() -> Vec<Mistake<Pair, f32>> {
             answer: |&Pair { own, other }| naive::power(own, other),
         },
         Mistake {
+            name: "a ratio of squares",
+            diagnosis: "You squared both densities before you divided, and squares leave the range of an \
+                f32. Divide first, then square. See 'Squares that are no numbers'.",
+            answer: |&Pair { own, other }| 1.0 / (1.0 + (other * other) / (own * own)),
+        },
+        Mistake {
             name: "an infinite square weighs 1",
             diagnosis: "Where both squares are infinite, both strategies count in full, and the light \
                 counts twice. Divide first, then square. See 'Squares that are no numbers'.",
