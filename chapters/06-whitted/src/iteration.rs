@@ -22,7 +22,8 @@ impl Limits {
         self.trace_from(scene, Pending::first(ray), tally).as_vec3()
     }
 
-    /// What `current` and all its branches bring.
+    /// What `current` and all its branches bring. It is a function of its own so that the first ray
+    /// is built where it is followed, and not copied there.
     fn trace_from<S: Scatter, T: Tally>(
         &self,
         scene: &S,

@@ -58,10 +58,9 @@ impl Limits {
         branches: &'b [Option<Branch<R>>; 2],
         tally: &mut T,
     ) -> [Option<Pending<&'b R>>; 2] {
-        let mut follow = |branch: &'b Option<Branch<R>>| {
-            branch.as_ref().and_then(|branch| self.follow(from, branch, tally))
-        };
-        let [one, other] = branches.each_ref().map(&mut follow);
+        let [one, other] = branches
+            .each_ref()
+            .map(|branch| branch.as_ref().and_then(|branch| self.follow(from, branch, tally)));
         match (one, other) {
             (Some(one), Some(other)) if other.weighs() < one.weighs() => [Some(other), Some(one)],
             (None, other) => [other, None],

@@ -48,7 +48,7 @@ impl<const SHADING: bool, const DETAILS: bool, const SHADOWS: bool, const MIRROR
             return Scattered::only(self.scene.background);
         };
         let Mirrored { surface, mirror } = &found.object.material;
-        let hit = &*detailed::<DETAILS, T>(&mut found.hit, tally);
+        let hit = detailed::<DETAILS, T>(&mut found.hit, tally);
         let light = match SHADING {
             true => local::<DETAILS, SHADOWS, T>(self.scene, surface, hit, -ray.direction, tally),
             false => Color::ZERO,
@@ -63,9 +63,9 @@ impl<const SHADING: bool, const DETAILS: bool, const SHADOWS: bool, const MIRROR
 }
 // ANCHOR_END: scatter
 
-/// The hit with the normal to shade it with: the surface's own where there are no details.
+/// The hit, given the normal to shade it with: the surface's own where there are no details.
 #[inline]
-pub fn detailed<'h, const DETAILS: bool, T: Tally>(hit: &'h mut Hit, tally: &mut T) -> &'h mut Hit {
+pub fn detailed<'h, const DETAILS: bool, T: Tally>(hit: &'h mut Hit, tally: &mut T) -> &'h Hit {
     if DETAILS {
         tally.count(SMOOTH_NORMALS, u64::from(hit.normal != hit.geometric));
     } else {

@@ -140,6 +140,7 @@ impl LightSample {
 #[cfg(test)]
 mod tests {
     use common::film::Color;
+    use common::stats::running::Running;
     use common::tally::Off;
     use glam::{Vec2, Vec3};
     use path_tracing::part::{Emission, Form, Part};
@@ -153,14 +154,16 @@ mod tests {
     use super::{Choice, Lights};
     use crate::lamp::Way;
 
+    /// A square of side 2 above (x, 0) that shines down.
+    fn square(x: f32, y: f32, radiance: f32) -> Part<Smooth> {
+        let corners = [[1.0, -1.0], [1.0, 1.0], [-1.0, 1.0], [-1.0, -1.0]];
+        let form = Form::quad(corners.map(|[dx, dz]| Vec3::new(x + dx, y, dz)));
+        Part::glowing(form, Smooth::BLACK, Color::splat(radiance))
+    }
+
     /// Squares of side 2 at heights 3 and 5 that shine down, the second three times as bright, and a
     /// ball between them that shines not at all.
     fn scene() -> (Space, Vec<Surface<Smooth>>) {
-        let square = |x: f32, y: f32, radiance: f32| {
-            let corners = [[1.0, -1.0], [1.0, 1.0], [-1.0, 1.0], [-1.0, -1.0]];
-            let form = Form::quad(corners.map(|[dx, dz]| Vec3::new(x + dx, y, dz)));
-            Part::glowing(form, Smooth::BLACK, Color::splat(radiance))
-        };
         let ball = Part::dark(Form::ball(Vec3::new(20.0, 0.0, 0.0), 0.5), Smooth::BLACK);
         of(vec![square(-2.0, 3.0, 1.0), square(2.0, 5.0, 3.0), ball])
     }
@@ -187,6 +190,26 @@ mod tests {
         }
         let alike = [Some(0.25), Some(0.25), Some(0.25), Some(0.25), None];
         assert_eq!(probabilities(Choice::Uniform), alike);
+    }
+
+    /// Two lamps that look alike, one a hundred times as bright. *By hand:* chosen alike, an estimate is
+    /// 2 or 200 times the same number, so its deviation is 0.98 of its mean.
+    #[test]
+    fn power_pays_where_one_lamp_outshines_the_others() {
+        let (space, surfaces) = of(vec![square(-2.0, 4.0, 1.0), square(2.0, 4.0, 100.0)]);
+        let deviation = |choice| {
+            let lights = Lights::new(&space, &surfaces, choice, Way::SolidAngle);
+            let estimate = |trial| {
+                let random = Random::of_trial(1323, trial);
+                let sample = lights.sample(Vec3::ZERO, &random).expect("in sight");
+                f64::from(sample.radiance.x / sample.pdf)
+            };
+            let estimates: Running = (0..4000).map(estimate).collect();
+            estimates.variance().expect("many").sqrt() / estimates.mean()
+        };
+        let [alike, by_power] = [Choice::Uniform, Choice::Power].map(deviation);
+        assert!((alike - 0.98).abs() < 0.03, "{alike}");
+        assert!(by_power < 0.1 * alike, "{by_power} {alike}");
     }
 
     /// MI-05: the density of what a path meets in the sampled direction is that of the sample.

@@ -19,7 +19,7 @@ pub(crate) fn of_density() -> Vec<Mistake<Facet, f32>> {
             answer: |facet| naive::density(facet.alpha, facet.normal.z),
         },
         Mistake {
-            name: "digits are lost at the top",
+            name: "1 - z² in the bracket",
             diagnosis: "1 - z² has lost its digits where z is nearly 1, and they don't come back. Use x² + y² \
                 in its place. See 'How facets lie'.",
             answer: |&Facet { alpha, normal }| {
