@@ -29,9 +29,9 @@ impl Estimate {
     }
 
     /// Whether both can be the same number: the z-test doesn't reject at `significance`. Two that
-    /// are bit for bit the same agree, even when they are NaN.
+    /// are the same agree, even when they are infinite or NaN.
     pub fn agrees(&self, other: &Self, significance: f64) -> bool {
-        let same = |a: f64, b: f64| a.to_bits() == b.to_bits();
+        let same = |a: f64, b: f64| a == b || a.is_nan() && b.is_nan();
         same(self.mean, other.mean) && same(self.standard_error, other.standard_error)
             || z_test(self, other).p_value >= significance
     }
@@ -180,5 +180,8 @@ mod tests {
         let broken = Estimate::exact(f64::NAN);
         assert!(!broken.agrees(&estimate, 0.01));
         assert!(broken.agrees(&broken, 0.01), "a mistake that gives NaN is recognised by it");
+        let other = Estimate { mean: -f64::NAN, standard_error: f64::NAN };
+        let same = Estimate { mean: f64::NAN, standard_error: f64::NAN };
+        assert!(other.agrees(&same, 0.01), "whatever the bits of the NaN");
     }
 }

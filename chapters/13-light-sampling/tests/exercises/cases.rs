@@ -148,9 +148,13 @@ impl Many {
         Estimate::exact(self.lights.iter().map(|&light| f64::from(light)).sum())
     }
 
-    /// The mean of twenty thousand answers, to some ten roundings.
+    /// The mean of twenty thousand answers, to some ten roundings. The first number is 0, which comes
+    /// up once in 2²⁴ times: a lamp without power must not be chosen even then.
     pub(super) fn estimate(&self, answer: OneLamp) -> Estimate {
-        let chance = |trial| Stream::of_trial(1363, trial).uniform();
+        let chance = |trial| match trial {
+            0 => 0.0,
+            _ => Stream::of_trial(1363, trial).uniform(),
+        };
         let of = |trial| f64::from(answer(&self.powers, &self.lights, chance(trial)));
         let samples: Running = (0..20_000).map(of).collect();
         let Estimate { mean, standard_error } = Estimate::of(&samples).expect("many samples");

@@ -97,11 +97,16 @@ pub(super) struct View {
 
 /// The means of the three coordinates of normals.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Means([Estimate; 3]);
+pub(super) struct Means {
+    x: Estimate,
+    y: Estimate,
+    z: Estimate,
+}
 
 impl Means {
     pub(super) fn agree(&self, other: &Self, significance: f64) -> bool {
-        self.0.iter().zip(&other.0).all(|(one, other)| one.agrees(other, significance))
+        let pairs = [(self.x, other.x), (self.y, other.y), (self.z, other.z)];
+        pairs.iter().all(|(one, other)| one.agrees(other, significance))
     }
 }
 
@@ -128,7 +133,8 @@ impl View {
             total += share;
         }
         let mean = sum / total;
-        Means(mean.to_array().map(|mean| Estimate { mean, standard_error: 2e-4 }))
+        let [x, y, z] = mean.to_array().map(|mean| Estimate { mean, standard_error: 2e-4 });
+        Means { x, y, z }
     }
 
     /// The means over ten thousand answers.
@@ -141,7 +147,8 @@ impl View {
                 samples.add(f64::from(part));
             }
         }
-        Means(samples.map(|samples| Estimate::of(&samples).expect("many samples")))
+        let [x, y, z] = samples.map(|samples| Estimate::of(&samples).expect("many samples"));
+        Means { x, y, z }
     }
 }
 

@@ -43,31 +43,50 @@ pub(super) struct Site {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Found {
     mean: Estimate,
-    /// The standard deviation of one estimate, in units of the right value.
-    spread: f64,
+    spread: Spread,
+}
+
+/// The standard deviation of one estimate, in units of the right value.
+#[derive(Clone, Copy, Debug)]
+enum Spread {
+    /// That of a good estimator lies below this.
+    Below(f64),
+    /// It was measured.
+    Measured(f64),
 }
 
 impl Found {
     /// Whether the means can be the same, and both spreads are below `most`, or neither.
     pub(super) fn agree(&self, other: &Self, most: f64) -> bool {
         // A right answer is refused once in 10⁶ cases; the seeds are fixed.
-        self.mean.agrees(&other.mean, 1e-6) && (self.spread < most) == (other.spread < most)
+        let same_mean = self.mean.agrees(&other.mean, 1e-6);
+        same_mean && self.spread.is_below(most) == other.spread.is_below(most)
+    }
+}
+
+impl Spread {
+    fn is_below(self, most: f64) -> bool {
+        match self {
+            Self::Below(bound) => bound <= most,
+            Self::Measured(spread) => spread < most,
+        }
     }
 }
 
 const SAMPLES: u64 = 20_000;
 
 impl Site {
-    /// The closed form.
-    pub(super) fn exact(&self) -> Found {
-        Found { mean: Estimate::exact(self.place.exact()), spread: 0.0 }
+    /// The closed form, and the spread that a good estimator stays below.
+    pub(super) fn exact(&self, most: f64) -> Found {
+        Found { mean: Estimate::exact(self.place.exact()), spread: Spread::Below(most) }
     }
 
     fn found(&self, estimate: impl Fn(&mut Stream) -> f32) -> Found {
         let one = |trial| f64::from(estimate(&mut Stream::of_trial(self.seed, trial)));
         let samples: Running = (0..SAMPLES).map(one).collect();
         let mean = Estimate::of(&samples).unwrap_or(Estimate::exact(f64::NAN));
-        Found { mean, spread: samples.variance().unwrap_or(0.0).sqrt() / self.place.exact() }
+        let deviation = samples.variance().unwrap_or(0.0).sqrt();
+        Found { mean, spread: Spread::Measured(deviation / self.place.exact()) }
     }
 
     /// Many estimates from one direction of each strategy.

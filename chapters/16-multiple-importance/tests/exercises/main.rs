@@ -4,7 +4,7 @@ mod cases;
 mod mistakes;
 mod solutions;
 
-use cases::{Arrival, Found, Pair, Point, Site};
+use cases::{Arrival, Found, Pair, Point};
 use common::exercise::judge::Failure;
 use common::exercise::{Chapter, Exercise, agree};
 use multiple_importance::exercises;
@@ -37,7 +37,7 @@ fn exercise_16_2() -> Result<(), Failure> {
         title: "One from each",
         section: "Shares that add up to one",
         cases: cases::sites,
-        expected: Site::exact,
+        expected: |site| site.exact(1.2),
         agree: |_, expected, yours| Found::agree(expected, yours, 1.2),
         yours: |site| site.of_each(exercises::combined),
         solution: |site| site.of_each(solutions::combined),
@@ -71,7 +71,7 @@ fn exercise_16_4() -> Result<(), Failure> {
         title: "One of two",
         section: "Shares that add up to one",
         cases: cases::sites,
-        expected: Site::exact,
+        expected: |site| site.exact(1.5),
         agree: |_, expected, yours| Found::agree(expected, yours, 1.5),
         yours: |site| site.of_one(exercises::one_of_two),
         solution: |site| site.of_one(solutions::one_of_two),

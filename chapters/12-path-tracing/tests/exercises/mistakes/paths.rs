@@ -31,6 +31,16 @@ pub(crate) fn of_furnace() -> Vec<Mistake<Room, Estimate>> {
             },
         },
         Mistake {
+            name: "one surface too few",
+            diagnosis: "A depth of 1 leaves one surface, and sees two that glow. You stopped before that. \
+                See 'Where to stop'.",
+            answer: |room| {
+                room.estimate(|albedo, depth, random| {
+                    solutions::furnace(albedo, depth.saturating_sub(1), random)
+                })
+            },
+        },
+        Mistake {
             name: "the first wall doesn't glow",
             diagnosis: "You began to add up after the first surface was left. What the eye sees glows by \
                 itself too. See 'The loop'.",

@@ -101,6 +101,12 @@ pub(crate) fn of_depth() -> Vec<Mistake<Depth, u32>> {
             answer: |it| solutions::depth(it) + 1,
         },
         Mistake {
+            name: "the logarithm, rounded up",
+            diagnosis: "ln(missing) / ln(albedo), rounded up, is the power of the albedo that is small \
+                enough. That power is d + 1 and not d: take 1 off. See 'Where to stop'.",
+            answer: |it| if it.albedo == 0.0 { 0 } else { solutions::depth(it) + 1 },
+        },
+        Mistake {
             name: "one too few",
             diagnosis: "At your depth more than `missing` is left out: the part is albedo^(d + 1). You \
                 may have rounded the power down. See 'Where to stop'.",

@@ -57,6 +57,18 @@ pub(crate) fn of_one_lamp() -> Vec<Mistake<Many, Estimate>> {
             },
         },
         Mistake {
+            name: "a lamp without power is chosen",
+            diagnosis: "Where the number is 0 and the first lamp has no power, you choose that lamp, and \
+                divide by 0. A lamp is chosen where the number lies *below* its end: use <, not <=. See \
+                'One of many lamps'.",
+            answer: |many| {
+                many.estimate(|powers, lights, chance| {
+                    let place = if chance > 0.0 { picked(powers, chance) } else { 0 };
+                    lights[place] * total(powers) / powers[place]
+                })
+            },
+        },
+        Mistake {
             name: "always the brightest",
             diagnosis: "You looked at the brightest lamp each time. The others bring light too: each must \
                 have a chance. See 'One of many lamps'.",

@@ -211,6 +211,14 @@ pub(crate) fn of_go_on() -> Vec<Mistake<Picture, Film>> {
             answer: |picture| picture.draw(unweighted),
         },
         Mistake {
+            name: "multiplied by the survival",
+            diagnosis: "You multiply what goes on by the survival. It has to stand for the paths that \
+                        ended as well, and count more: divide. See 'Equation 4-5'.",
+            answer: |picture| {
+                picture.draw(|survival, chance| (chance < survival).then_some(survival))
+            },
+        },
+        Mistake {
             name: "divided by the probability to stop",
             diagnosis: "You divide by 1 - survival, which is how often paths end. Divide by how often \
                         they go on. See 'The report's line'.",

@@ -41,6 +41,19 @@ pub(crate) fn of_visible_normal() -> Vec<Mistake<View, Means>> {
             },
         },
         Mistake {
+            name: "divided by alpha",
+            diagnosis: "You divided the ball's normal by alpha. Normals are not stretched as points are: \
+                where the ball's surface is drawn out, its slopes grow by alpha. Multiply. See 'Facets \
+                that are seen'.",
+            answer: |view| {
+                view.estimate(|alpha, outgoing, u| {
+                    let view = pressed(alpha, outgoing);
+                    let normal = on_ball(u.x * (1.0 + view.z), u.y) + view;
+                    (normal / Vec3::new(alpha, alpha, 1.0)).normalize()
+                })
+            },
+        },
+        Mistake {
             name: "only the upper half of the ball",
             diagnosis: "Rays are reflected down to the height -z of the pressed view, and you took \
                 heights from 0 up. See 'Facets that are seen'.",

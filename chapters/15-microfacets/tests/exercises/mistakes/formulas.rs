@@ -124,6 +124,12 @@ pub(crate) fn of_reflected_density() -> Vec<Mistake<Turn, f32>> {
             answer: |turn| turn.density / (4.0 * turn.outgoing.z),
         },
         Mistake {
+            name: "4 is forgotten",
+            diagnosis: "You divided by outgoing · normal alone. The direction turns twice as far as the \
+                normal, in two directions at once: divide by 4 too. See 'From normals to directions'.",
+            answer: |turn| turn.density / turn.outgoing.dot(turn.normal),
+        },
+        Mistake {
             name: "2 in place of 4",
             diagnosis: "The direction turns twice as far as the normal, in two directions at once: \
                 that is 4. See 'From normals to directions'.",
