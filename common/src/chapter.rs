@@ -3,6 +3,7 @@
 //! A chapter implements [`Chapter`] in its library; its `main` calls [`main`]. The book runs the same
 //! command lines inside its own program through [`Entry`].
 
+mod asked;
 mod costs;
 mod failure;
 mod hards;
@@ -24,6 +25,7 @@ use crate::plan::{Call, Plan, Skill};
 use crate::render::{Rendering, Settings};
 use crate::tally::{Event, Tally};
 
+pub use asked::{Asked, knobs};
 pub use failure::Failure;
 pub use picture::{Target, default_path};
 

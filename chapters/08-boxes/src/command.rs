@@ -149,9 +149,8 @@ const WIRE: f32 = 0.006;
 
 #[cfg(test)]
 mod tests {
-    use clap::Parser;
-    use common::chapter::Chapter;
-    use common::plan::{Plan, Simulate};
+    use common::chapter::{Asked, Chapter, knobs};
+    use common::plan::Simulate;
     use common::render::Settings;
     use common::tally::Counts;
     use triangles::brute::TRIANGLE_TESTS;
@@ -162,24 +161,11 @@ mod tests {
     use crate::picture::Show;
     use crate::slab::BOX_TESTS;
 
-    #[derive(Parser)]
-    struct Line<K: clap::Args> {
-        #[command(flatten)]
-        knobs: K,
-    }
-
-    fn settings() -> Settings {
-        Settings { width: 40, height: 30, spp: 2, ..Settings::default() }
-    }
-
     /// The hash of chapter `C`'s picture for these options, and its counters.
     fn drawn<C: Chapter>(options: &str, simulate: Simulate) -> (u64, Counts) {
-        let line = Line::<C::Knobs>::parse_from(
-            std::iter::once("test").chain(options.split(' ').filter(|it| !it.is_empty())),
-        );
-        let stage = C::build("bunny", &line.knobs).expect("it is built in");
-        let plan = Plan::new(&C::calls(&stage, &line.knobs), C::SKILLS, simulate);
-        let made = C::draw::<Counts>(&stage, &plan, &settings(), &line.knobs);
+        let settings = Settings { width: 40, height: 30, spp: 2, ..Settings::default() };
+        let asked = Asked { scene: "bunny", options, simulate };
+        let made = asked.draw::<C>(&settings).expect("it is built in");
         assert_eq!(made.film.nonfinite, 0);
         (made.film.hash(), made.tally)
     }
@@ -191,7 +177,7 @@ mod tests {
         let mut work = Vec::new();
         for options in ["--accel none", "", "--boxes 16", "--boxes 3674"] {
             let options = format!("--view normals {options}");
-            let (hash, counts) = drawn::<Boxes>(options.trim(), Simulate::Needed);
+            let (hash, counts) = drawn::<Boxes>(&options, Simulate::Needed);
             assert_eq!(hash, brute, "{options}");
             work.push((counts.of(BOX_TESTS), counts.of(TRIANGLE_TESTS)));
         }
@@ -219,7 +205,7 @@ mod tests {
 
     #[test]
     fn the_defaults_are_a_box_that_is_shown() {
-        let Line { knobs: Knobs { accel, boxes, view, .. } } = Line::parse_from(["test"]);
+        let Knobs { accel, boxes, view, .. } = knobs::<Boxes>("").expect("no option");
         assert_eq!((accel, boxes, view), (Accel::Box, 1, Show::Boxes));
     }
 }

@@ -101,38 +101,18 @@ impl Chapter for PathTracing {
 
 #[cfg(test)]
 mod tests {
-    use clap::Parser;
-    use common::chapter::Chapter;
-    use common::plan::{Plan, Simulate};
+    use common::chapter::Asked;
+    use common::plan::Simulate;
     use common::render::{Rendering, Settings};
     use common::tally::Counts;
 
-    use super::{PathTracing, SKILLS};
-    use crate::knobs::Knobs;
+    use super::PathTracing;
     use crate::tracer::{BOUNCES, LAMPS_MET, SKY_SEEN, SPECULAR_BOUNCES, TRUNCATED_PATHS};
 
-    #[derive(Parser)]
-    struct Options {
-        #[command(flatten)]
-        knobs: Knobs,
-    }
-
-    fn knobs(options: &[&str]) -> Knobs {
-        let all = std::iter::once(&"path-tracing").chain(options);
-        Options::try_parse_from(all).unwrap_or_else(|error| panic!("{error}")).knobs
-    }
-
-    fn drawn(
-        name: &str,
-        options: &[&str],
-        simulate: Simulate,
-        threads: usize,
-    ) -> Rendering<Counts> {
-        let knobs = knobs(options);
-        let stage = PathTracing::build(name, &knobs).unwrap_or_else(|_| panic!("{name}"));
-        let plan = Plan::new(&PathTracing::calls(&stage, &knobs), SKILLS, simulate);
+    fn drawn(scene: &str, options: &str, simulate: Simulate, threads: usize) -> Rendering<Counts> {
         let settings = Settings { width: 64, height: 48, spp: 4, threads, ..Settings::default() };
-        PathTracing::draw(&stage, &plan, &settings, &knobs)
+        let asked = Asked { scene, options, simulate };
+        asked.draw::<PathTracing>(&settings).expect("a picture")
     }
 
     #[test]
@@ -145,8 +125,8 @@ mod tests {
             ("empty", &[LAMPS_MET, SKY_SEEN, BOUNCES][..]),
         ];
         for (name, events) in skipped {
-            let needed = drawn(name, &[], Simulate::Needed, 1);
-            let all = drawn(name, &[], Simulate::All, 3);
+            let needed = drawn(name, "", Simulate::Needed, 1);
+            let all = drawn(name, "", Simulate::All, 3);
             assert_eq!(needed.film.hash(), all.film.hash(), "{name}");
             assert_eq!(needed.film.nonfinite, 0, "{name}");
             for event in events {
@@ -158,8 +138,7 @@ mod tests {
     #[test]
     fn every_pixel_of_a_furnace_is_the_same() {
         for name in ["furnace", "furnace-ball"] {
-            let options = ["--albedo", "0.5", "--depth", "30"];
-            let film = drawn(name, &options, Simulate::Needed, 0).film;
+            let film = drawn(name, "--albedo 0.5 --depth 30", Simulate::Needed, 0).film;
             let wrong =
                 film.pixels.iter().filter(|pixel| (**pixel - 2.0).abs().max_element() > 1e-5);
             assert_eq!(wrong.count(), 0, "{name}");
@@ -168,7 +147,7 @@ mod tests {
 
     #[test]
     fn without_depth_only_lamps_are_seen() {
-        let film = drawn("cornell", &["--depth", "0"], Simulate::Needed, 0);
+        let film = drawn("cornell", "--depth 0", Simulate::Needed, 0);
         assert_eq!(film.tally.of(BOUNCES), 0);
         assert!(film.tally.of(LAMPS_MET) > 0 && film.tally.of(TRUNCATED_PATHS) > 0);
         assert!(film.film.pixels.iter().any(|pixel| pixel.x > 40.0));
@@ -176,11 +155,11 @@ mod tests {
 
     #[test]
     fn no_light_is_black_and_an_eye_in_a_wall_is_no_error() {
-        let dark = drawn("dark", &[], Simulate::All, 0).film;
+        let dark = drawn("dark", "", Simulate::All, 0).film;
         assert!(dark.pixels.iter().all(|pixel| pixel.max_element() == 0.0));
-        let inside = ["--eye", "278,273,559.2", "--look-at", "278,273,600"];
-        assert_eq!(drawn("cornell", &inside, Simulate::Needed, 0).film.nonfinite, 0);
-        let inside = ["--eye", "185,80,169", "--look-at", "186,80,100"];
-        assert_eq!(drawn("cornell-glass", &inside, Simulate::Needed, 0).film.nonfinite, 0);
+        let inside = "--eye 278,273,559.2 --look-at 278,273,600";
+        assert_eq!(drawn("cornell", inside, Simulate::Needed, 0).film.nonfinite, 0);
+        let inside = "--eye 185,80,169 --look-at 186,80,100";
+        assert_eq!(drawn("cornell-glass", inside, Simulate::Needed, 0).film.nonfinite, 0);
     }
 }

@@ -138,10 +138,9 @@ fn shot<'a, L>(stage: &'a Stage<Smooth>, knobs: &Options, lighting: L) -> Shot<'
 
 #[cfg(test)]
 mod tests {
-    use clap::Parser;
-    use common::chapter::Chapter;
+    use common::chapter::{Asked, knobs};
     use common::film::Color;
-    use common::plan::{Plan, Simulate};
+    use common::plan::Simulate;
     use common::render::{Rendering, Settings};
     use common::tally::Counts;
     use glam::Vec3;
@@ -151,31 +150,13 @@ mod tests {
     use path_tracing::tracer::{BOUNCES, LAMPS_MET, SKY_SEEN, SPECULAR_BOUNCES};
     use shadows::visibility::SHADOW_RAYS;
 
-    use super::{LIGHT_SAMPLES, LightSampling, Options, SKILLS, too_faint};
+    use super::{LIGHT_SAMPLES, LightSampling, too_faint};
     use crate::scenes::named;
 
-    #[derive(Parser)]
-    struct Line {
-        #[command(flatten)]
-        knobs: Options,
-    }
-
-    fn knobs(options: &[&str]) -> Options {
-        let all = std::iter::once(&"light-sampling").chain(options);
-        Line::try_parse_from(all).unwrap_or_else(|error| panic!("{error}")).knobs
-    }
-
-    fn drawn(
-        name: &str,
-        options: &[&str],
-        simulate: Simulate,
-        threads: usize,
-    ) -> Rendering<Counts> {
-        let knobs = knobs(options);
-        let stage = LightSampling::build(name, &knobs).unwrap_or_else(|_| panic!("{name}"));
-        let plan = Plan::new(&LightSampling::calls(&stage, &knobs), SKILLS, simulate);
+    fn drawn(scene: &str, options: &str, simulate: Simulate, threads: usize) -> Rendering<Counts> {
         let settings = Settings { width: 48, height: 36, spp: 4, threads, ..Settings::default() };
-        LightSampling::draw(&stage, &plan, &settings, &knobs)
+        let asked = Asked { scene, options, simulate };
+        asked.draw::<LightSampling>(&settings).expect("a picture")
     }
 
     #[test]
@@ -188,8 +169,8 @@ mod tests {
             ("empty", &[LAMPS_MET, LIGHT_SAMPLES, SHADOW_RAYS, SKY_SEEN, BOUNCES][..]),
         ];
         for (name, events) in skipped {
-            let needed = drawn(name, &[], Simulate::Needed, 1);
-            let all = drawn(name, &[], Simulate::All, 3);
+            let needed = drawn(name, "", Simulate::Needed, 1);
+            let all = drawn(name, "", Simulate::All, 3);
             assert_eq!(needed.film.hash(), all.film.hash(), "{name}");
             assert_eq!(needed.film.nonfinite, 0, "{name}");
             for event in events {
@@ -200,12 +181,12 @@ mod tests {
 
     #[test]
     fn all_options_draw_without_a_number_that_is_none() {
-        let ways = ["area", "solid-angle", "direction"].map(|way| ["--lighting", way]);
-        let others = [["--lamps", "uniform"], ["--met", "twice"], ["--met", "camera"]];
+        let ways = ["--lighting area", "--lighting solid-angle", "--lighting direction"];
+        let others = ["--lamps uniform", "--met twice", "--met camera"];
         for options in ways.into_iter().chain(others) {
             for name in ["cornell-glass", "sphere-light", "many-lights", "furnace"] {
-                let film = drawn(name, &options, Simulate::Needed, 0).film;
-                assert_eq!(film.nonfinite, 0, "{name}, {options:?}");
+                let film = drawn(name, options, Simulate::Needed, 0).film;
+                assert_eq!(film.nonfinite, 0, "{name}, {options}");
                 assert!(film.pixels.iter().any(|pixel| pixel.max_element() > 0.0));
             }
         }
@@ -215,7 +196,7 @@ mod tests {
     fn lamps_that_are_never_looked_at_are_reported() {
         let mut model = named("cornell", 0.5).expect("a scene");
         let stage = Stage::new(&model).expect("a scene");
-        let knobs = knobs(&[]).light;
+        let knobs = knobs::<LightSampling>("").expect("no option").light;
         assert_eq!(too_faint(&stage, &knobs), None);
         let form = Form::ball(Vec3::splat(100.0), 1e-3);
         model.parts.push(Part::glowing(form, Smooth::BLACK, Color::splat(1e-6)));

@@ -115,31 +115,19 @@ pub fn lit<B: Bsdf, T: Tally>(
 
 #[cfg(test)]
 mod tests {
-    use clap::Parser;
-    use common::chapter::Chapter;
+    use common::chapter::Asked;
     use common::film::Film;
-    use common::plan::{Plan, Simulate};
+    use common::plan::Simulate;
     use common::render::{Rendering, Settings};
     use common::tally::Counts;
     use path_tracing::tracer::{LONGEST_PATH, SPECULAR_BOUNCES, TRUNCATED_PATHS};
 
     use super::RussianRoulette;
-    use crate::knobs::Knobs;
 
-    #[derive(Parser)]
-    struct Options {
-        #[command(flatten)]
-        knobs: Knobs,
-    }
-
-    fn draw(scene: &str, options: &[&str], spp: u32, simulate: Simulate) -> Rendering<Counts> {
-        let all = std::iter::once(&"russian-roulette").chain(options);
-        let knobs = Options::try_parse_from(all).expect("good options").knobs;
-        let stage = RussianRoulette::build(scene, &knobs).expect("a scene");
-        let calls = RussianRoulette::calls(&stage, &knobs);
-        let plan = Plan::new(&calls, RussianRoulette::SKILLS, simulate);
+    fn draw(scene: &str, options: &str, spp: u32, simulate: Simulate) -> Rendering<Counts> {
         let settings = Settings { width: 24, height: 24, spp, ..Settings::default() };
-        RussianRoulette::draw(&stage, &plan, &settings, &knobs)
+        let asked = Asked { scene, options, simulate };
+        asked.draw::<RussianRoulette>(&settings).expect("a picture")
     }
 
     fn mean(film: &Film) -> f32 {
@@ -149,7 +137,7 @@ mod tests {
     #[test]
     fn a_picture_of_all_effects_is_the_same() {
         let [needed, all] =
-            [Simulate::Needed, Simulate::All].map(|simulate| draw("cornell", &[], 2, simulate));
+            [Simulate::Needed, Simulate::All].map(|simulate| draw("cornell", "", 2, simulate));
         assert_eq!(needed.film.hash(), all.film.hash());
         assert_eq!(needed.tally.of(SPECULAR_BOUNCES), 0);
     }
@@ -157,7 +145,8 @@ mod tests {
     #[test]
     fn right_endings_agree_and_the_report_s_line_does_not() {
         let mean = |roulette: &str| {
-            mean(&draw("cornell", &["--roulette", roulette], 64, Simulate::Needed).film)
+            let options = format!("--roulette {roulette}");
+            mean(&draw("cornell", &options, 64, Simulate::Needed).film)
         };
         let all = mean("off");
         for roulette in ["throughput", "constant", "0.6"] {
@@ -168,16 +157,15 @@ mod tests {
 
     #[test]
     fn the_report_s_line_is_right_at_one_half() {
-        let options = ["--roulette", "report", "--survival", "0.5"];
-        let [report, all] = [&options[..], &["--roulette", "off"]]
+        let [report, all] = ["--roulette report --survival 0.5", "--roulette off"]
             .map(|options| mean(&draw("cornell", options, 64, Simulate::Needed).film));
         assert!((report / all - 1.0).abs() < 0.05, "{report} {all}");
     }
 
     #[test]
     fn a_white_room_is_cut_off_and_says_so() {
-        let options = ["--albedo", "1", "--depth", "30", "--lighting", "direction"];
-        let white = draw("furnace", &options, 1, Simulate::Needed);
+        let options = "--albedo 1 --depth 30 --lighting direction";
+        let white = draw("furnace", options, 1, Simulate::Needed);
         assert_eq!(white.tally.of(TRUNCATED_PATHS), 24 * 24);
         assert_eq!(white.tally.of(LONGEST_PATH), 30);
         assert_eq!(mean(&white.film), 31.0);
@@ -185,7 +173,7 @@ mod tests {
 
     #[test]
     fn nothing_is_cut_off_in_the_box() {
-        let tally = draw("cornell", &[], 16, Simulate::Needed).tally;
+        let tally = draw("cornell", "", 16, Simulate::Needed).tally;
         assert_eq!(tally.of(TRUNCATED_PATHS), 0);
         assert!(tally.of(LONGEST_PATH) > 8);
     }

@@ -88,10 +88,9 @@ impl Chapter for Microfacets {
 
 #[cfg(test)]
 mod tests {
-    use clap::Parser;
-    use common::chapter::Chapter;
+    use common::chapter::Asked;
     use common::film::{Color, Film};
-    use common::plan::{Plan, Simulate};
+    use common::plan::Simulate;
     use common::render::{Rendering, Settings};
     use common::tally::Counts;
     use path_tracing::tracer::SPECULAR_BOUNCES;
@@ -99,32 +98,12 @@ mod tests {
     use super::Microfacets;
     use crate::albedo::roughest;
     use crate::facets::Masking;
-    use crate::knobs::Knobs;
     use crate::scenes::SCENES;
 
-    #[derive(Parser)]
-    struct Options {
-        #[command(flatten)]
-        knobs: Knobs,
-    }
-
-    fn draw(scene: &str, options: &[&str], spp: u32, simulate: Simulate) -> Rendering<Counts> {
+    fn draw(scene: &str, options: &str, spp: u32, simulate: Simulate) -> Rendering<Counts> {
         let settings = Settings { width: 24, height: 24, spp, ..Settings::default() };
-        render(scene, options, simulate, &settings)
-    }
-
-    fn render(
-        scene: &str,
-        options: &[&str],
-        simulate: Simulate,
-        settings: &Settings,
-    ) -> Rendering<Counts> {
-        let all = std::iter::once(&"microfacets").chain(options);
-        let knobs = Options::try_parse_from(all).expect("good options").knobs;
-        let stage = Microfacets::build(scene, &knobs).expect("a scene");
-        let calls = Microfacets::calls(&stage, &knobs);
-        let plan = Plan::new(&calls, Microfacets::SKILLS, simulate);
-        Microfacets::draw(&stage, &plan, settings, &knobs)
+        let asked = Asked { scene, options, simulate };
+        asked.draw::<Microfacets>(&settings).expect("a picture")
     }
 
     fn mean(film: &Film) -> f32 {
@@ -134,18 +113,18 @@ mod tests {
     #[test]
     fn a_picture_of_all_effects_is_the_same() {
         for scene in SCENES.iter().filter(|scene| scene.name != "FILE.obj") {
-            let [needed, all] = [Simulate::Needed, Simulate::All]
-                .map(|simulate| draw(scene.name, &[], 1, simulate));
+            let [needed, all] =
+                [Simulate::Needed, Simulate::All].map(|simulate| draw(scene.name, "", 1, simulate));
             assert_eq!(needed.film.hash(), all.film.hash(), "{}", scene.name);
         }
-        let matte = draw("cornell", &[], 1, Simulate::Needed);
+        let matte = draw("cornell", "", 1, Simulate::Needed);
         assert_eq!(matte.tally.of(SPECULAR_BOUNCES), 0);
     }
 
     #[test]
     fn both_choices_of_normals_make_the_same_picture() {
         let of = |normals| {
-            let options = ["--normals", normals, "--roughness", "0.5"];
+            let options = format!("--normals {normals} --roughness 0.5");
             mean(&draw("rough-metals", &options, 64, Simulate::Needed).film)
         };
         let (visible, all) = (of("visible"), of("all"));
@@ -155,7 +134,7 @@ mod tests {
     #[test]
     fn by_light_and_by_direction_agree_on_rough_metal() {
         let of = |lighting, spp| {
-            let options = ["--lighting", lighting, "--roughness", "0.6"];
+            let options = format!("--lighting {lighting} --roughness 0.6");
             mean(&draw("rough-metals", &options, spp, Simulate::Needed).film)
         };
         let (light, direction) = (of("area", 64), of("direction", 1024));
@@ -164,16 +143,15 @@ mod tests {
 
     #[test]
     fn in_the_middle_of_a_rough_ball_1_minus_ln_2_is_left() {
-        let view = ["--eye", "0,1.3,9", "--look-at", "0,1.3,0", "--fov", "0.5"];
-        let options = [&["--roughness", "1"], &view[..]].concat();
-        let found = mean(&draw("lost-light", &options, 64, Simulate::Needed).film);
+        let options = "--roughness 1 --eye 0,1.3,9 --look-at 0,1.3,0 --fov 0.5";
+        let found = mean(&draw("lost-light", options, 64, Simulate::Needed).film);
         let closed = roughest(1.0, Masking::Correlated) as f32;
         assert!((found - closed).abs() < 0.01, "{found} {closed}");
     }
 
     #[test]
     fn a_perfectly_smooth_ball_loses_nothing() {
-        let film = draw("lost-light", &["--roughness", "0"], 4, Simulate::Needed).film;
+        let film = draw("lost-light", "--roughness 0", 4, Simulate::Needed).film;
         assert!((mean(&film) - 1.0).abs() < 1e-5);
     }
 
@@ -183,7 +161,8 @@ mod tests {
     #[test]
     fn another_renderer_makes_the_same_picture() {
         let settings = Settings { width: 32, height: 32, spp: 512, ..Settings::default() };
-        let film = render("rough-metals", &[], Simulate::Needed, &settings).film;
+        let asked = Asked::of("rough-metals");
+        let film = asked.draw::<Microfacets>(&settings).expect("a picture").film;
         let tiles = REFERENCE.lines().filter(|line| line.starts_with(|it: char| it.is_numeric()));
         let (mut ours, mut theirs) = (0.0, 0.0);
         for (tile, line) in film.tile_means(4, 4).into_iter().zip(tiles) {
