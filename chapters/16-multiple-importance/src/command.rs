@@ -101,8 +101,7 @@ impl Picture<'_> {
     /// nothing glows.
     fn of<B: Bsdf, T: Tally>(&self, world: &World<B>) -> Rendering<T> {
         let Knobs { lighting, heuristic, way, lamps, .. } = *self.knobs;
-        let by_chance = lighting == LightingChoice::Direction;
-        if by_chance || !self.plan.simulates(Effect::AreaLights) {
+        if !self.plan.simulates(Effect::AreaLights) {
             return self.lit(world, ByDirection);
         }
         let lights = Lights::new(world.space, &world.surfaces, lamps.into(), way.into());
@@ -113,9 +112,8 @@ impl Picture<'_> {
             LightingChoice::DirectionHalf => {
                 self.lit(world, Half { combined, side: Side::Direction })
             }
-            LightingChoice::Light | LightingChoice::Direction => {
-                self.lit(world, ByLight { lights: &lights })
-            }
+            LightingChoice::Light => self.lit(world, ByLight { lights: &lights }),
+            LightingChoice::Direction => self.lit(world, ByDirection),
         }
     }
     // ANCHOR_END: lit

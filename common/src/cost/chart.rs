@@ -91,6 +91,8 @@ fn draw(panel: &Panel, table: &Table) -> Result<(), DrawError> {
     let mut chart = ChartBuilder::on(panel)
         .caption(table.title, ("sans-serif", 18).into_font())
         .margin(12)
+        // The last label is centred on the frame's end.
+        .margin_right(36)
         .x_label_area_size(48)
         .y_label_area_size(84)
         .build_cartesian_2d(x_range, y_range)?;
