@@ -162,4 +162,14 @@ mod tests {
         let inside = "--eye 185,80,169 --look-at 186,80,100";
         assert_eq!(drawn("cornell-glass", inside, Simulate::Needed, 0).film.nonfinite, 0);
     }
+
+    #[test]
+    fn what_can_t_be_is_refused_and_not_drawn() {
+        let refused = |scene, options| {
+            let asked = Asked { options, ..Asked::of(scene) };
+            asked.draw::<PathTracing>(&Settings::default()).is_err()
+        };
+        assert!(refused("nowhere", "") && refused("cornell", "--depth -1"));
+        assert!(refused("cornell", "--sideways") && refused("furnace", "--albedo 2"));
+    }
 }

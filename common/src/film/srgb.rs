@@ -33,7 +33,7 @@ pub fn decode(code: f32) -> f32 {
 /// The 8-bit sRGB code of a linear value, rounded to the nearest.
 ///
 /// The curve only rises, so a byte begins at one float and goes on to where the next begins. To look
-/// up these 255 beginnings takes a tenth of the time of a power, and the two answers are one.
+/// it up among these 255 beginnings takes less time than a power, and the two answers are one.
 #[inline]
 pub fn encode_byte(linear: f32) -> u8 {
     BEGINNINGS.partition_point(|&beginning| beginning <= linear) as u8
