@@ -29,6 +29,12 @@ pub trait Bsdf: Copy + Send + Sync {
     /// Whether [`Bsdf::eval`] is above 0 for any directions. Where it isn't, light that was looked
     /// for elsewhere finds no way to the eye.
     fn spreads(&self) -> bool;
+
+    /// Whether what leaves the surface is equally bright in all directions of a side, so that an
+    /// estimate for one of them holds for all.
+    fn is_diffuse(&self) -> bool {
+        false
+    }
 }
 // ANCHOR_END: bsdf
 

@@ -46,6 +46,11 @@ impl Bsdf for Lambert {
     fn spreads(&self) -> bool {
         self.reflectance != Color::ZERO
     }
+
+    #[inline]
+    fn is_diffuse(&self) -> bool {
+        true
+    }
 }
 // ANCHOR_END: lambert
 

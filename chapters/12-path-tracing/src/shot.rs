@@ -36,6 +36,18 @@ impl<L: Lighting + Copy, E: Ending + Copy> Shot<'_, L, E> {
         plan: &Plan,
         settings: &Settings,
     ) -> Rendering<T> {
+        self.exposed(&ByPixel, world, plan, settings)
+    }
+    // ANCHOR_END: shot
+
+    /// The same, with the film exposed in another way.
+    pub fn exposed<B: Bsdf, T: Tally>(
+        &self,
+        exposure: &impl Exposure,
+        world: &World<B>,
+        plan: &Plan,
+        settings: &Settings,
+    ) -> Rendering<T> {
         if !plan.simulates(Effect::PrimaryVisibility) {
             return render_counted(settings, |_pixel, _sampler, _tally| world.sky);
         }
@@ -43,22 +55,59 @@ impl<L: Lighting + Copy, E: Ending + Copy> Shot<'_, L, E> {
         let shot = Self { depth, ..*self };
         match (plan.simulates(Effect::AreaLights), plan.simulates(Effect::EnvironmentLight)) {
             (false, false) => render_counted(settings, |_pixel, _sampler, _tally| Color::ZERO),
-            (true, false) => shot.film::<B, T, true, false>(world, settings),
-            (false, true) => shot.film::<B, T, false, true>(world, settings),
-            (true, true) => shot.film::<B, T, true, true>(world, settings),
+            (true, false) => shot.film::<B, T, true, false>(exposure, world, settings),
+            (false, true) => shot.film::<B, T, false, true>(exposure, world, settings),
+            (true, true) => shot.film::<B, T, true, true>(exposure, world, settings),
         }
     }
-    // ANCHOR_END: shot
 
     /// The picture that one of these path tracers makes.
     fn film<B: Bsdf, T: Tally, const EMITTERS: bool, const SKY: bool>(
         &self,
+        exposure: &impl Exposure,
         world: &World<B>,
         settings: &Settings,
     ) -> Rendering<T> {
         let Self { lighting, ending, depth, .. } = *self;
         let tracer = PathTracer::<B, L, E, EMITTERS, SKY> { world, lighting, ending, depth };
         let camera = self.camera.with_film(settings.width, settings.height);
+        exposure.expose(&tracer, &camera, settings)
+    }
+}
+
+/// How a film gets its light from a path tracer.
+pub trait Exposure {
+    /// The film that `tracer` exposes with `camera`.
+    fn expose<B, L, E, T, const EMITTERS: bool, const SKY: bool>(
+        &self,
+        tracer: &PathTracer<B, L, E, EMITTERS, SKY>,
+        camera: &Camera,
+        settings: &Settings,
+    ) -> Rendering<T>
+    where
+        B: Bsdf,
+        L: Lighting + Copy,
+        E: Ending + Copy,
+        T: Tally;
+}
+
+/// Each pixel by itself: it is the mean of its own paths.
+#[derive(Clone, Copy, Debug)]
+pub struct ByPixel;
+
+impl Exposure for ByPixel {
+    fn expose<B, L, E, T, const EMITTERS: bool, const SKY: bool>(
+        &self,
+        tracer: &PathTracer<B, L, E, EMITTERS, SKY>,
+        camera: &Camera,
+        settings: &Settings,
+    ) -> Rendering<T>
+    where
+        B: Bsdf,
+        L: Lighting + Copy,
+        E: Ending + Copy,
+        T: Tally,
+    {
         render_counted(settings, |pixel, sampler, tally: &mut T| {
             tally.count(CAMERA_RAYS, 1);
             tracer.radiance(camera.ray(position(pixel, sampler)), sampler, tally)

@@ -54,6 +54,11 @@ impl Bsdf for Smooth {
     fn spreads(&self) -> bool {
         matches!(self, Self::Lambert(lambert) if lambert.spreads())
     }
+
+    #[inline]
+    fn is_diffuse(&self) -> bool {
+        matches!(self, Self::Lambert(_))
+    }
 }
 
 impl Smooth {

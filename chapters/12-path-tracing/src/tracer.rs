@@ -6,6 +6,7 @@ use common::tally::{Event, Tally};
 use ray_casting::ray::Ray;
 
 use crate::bsdf::Bsdf;
+use crate::part::Emission;
 use crate::random::Random;
 use crate::strategy::{Ending, Lighting};
 use crate::vertex::{Departure, Vertex};
@@ -40,60 +41,149 @@ pub struct PathTracer<'a, B, L, E, const EMITTERS: bool, const SKY: bool> {
 }
 // ANCHOR_END: tracer
 
+// ANCHOR: segment
+/// One straight piece of a path: on its way from a vertex, or from the eye, to what it will meet.
+#[derive(Clone, Copy, Debug)]
+pub struct Segment {
+    /// The ray along it.
+    pub ray: Ray,
+    /// How the path left the vertex before.
+    pub departure: Departure,
+    /// What the radiance that comes along it counts at the eye.
+    pub throughput: Color,
+    /// The surfaces that the path has left already.
+    pub bounce: u32,
+}
+
+impl Segment {
+    /// The first of a path.
+    #[inline]
+    pub fn from_eye(ray: Ray) -> Self {
+        Self { ray, departure: Departure::from_eye(&ray), throughput: Color::ONE, bounce: 0 }
+    }
+}
+// ANCHOR_END: segment
+
 impl<B: Bsdf, L: Lighting, E: Ending, const EMITTERS: bool, const SKY: bool>
     PathTracer<'_, B, L, E, EMITTERS, SKY>
 {
     // ANCHOR: radiance
     /// An estimate of the radiance that comes back along the camera's `ray`.
     pub fn radiance<T: Tally>(&self, ray: Ray, sampler: &Sampler, tally: &mut T) -> Color {
-        let (mut ray, mut departure) = (ray, Departure::from_eye(&ray));
-        let (mut radiance, mut throughput) = (Color::ZERO, Color::ONE);
-        for bounce in 0.. {
-            let Some(met) = self.world.space.nearest(&ray, tally) else {
-                radiance += throughput * self.sky(tally);
-                break;
+        self.follow(Segment::from_eye(ray), sampler, tally)
+    }
+
+    /// An estimate of what a path finds that is on its way.
+    pub fn follow<T: Tally>(&self, segment: Segment, sampler: &Sampler, tally: &mut T) -> Color {
+        let (mut segment, mut radiance) = (segment, Color::ZERO);
+        loop {
+            let Some(met) = self.world.space.nearest(&segment.ray, tally) else {
+                return radiance + segment.throughput * self.sky(tally);
             };
             let surface = &self.world.surfaces[met.owner as usize];
-            let random = Random::at(sampler, bounce + 1);
-            let vertex = Vertex::new(&ray, &met, &surface.bsdf);
-
-            // The light that was come upon, and the light that is looked for.
-            if EMITTERS && surface.emission.glows() {
-                tally.count(LAMPS_MET, 1);
-                let emitted = surface.emission.towards(vertex.outgoing.z);
-                radiance += throughput * emitted * self.lighting.share(&departure, &met);
-            }
-            if bounce == self.depth {
-                let goes_on = surface.bsdf.sample(vertex.outgoing, &random).is_some();
-                tally.count(TRUNCATED_PATHS, u64::from(goes_on));
-                break;
-            }
-            if EMITTERS && surface.bsdf.spreads() {
-                let space = self.world.space;
-                radiance += throughput * self.lighting.direct(space, &vertex, &random, tally);
-            }
-
-            // The light that comes by way of other surfaces.
-            let Some(sample) = surface.bsdf.sample(vertex.outgoing, &random) else { break };
-            throughput *= sample.weight;
-            let Some(factor) = self.ending.factor(throughput, bounce + 1, &random) else { break };
-            throughput *= factor;
-            if throughput == Color::ZERO {
-                break;
-            }
-            let Some(onward) = vertex.leave(&sample) else { break };
-            (ray, departure) = onward;
-            tally.count(BOUNCES, 1);
-            tally.count(SPECULAR_BOUNCES, u64::from(sample.is_delta));
-            tally.count(LONGEST_PATH, u64::from(bounce) + 1);
+            let vertex = Vertex::new(&segment.ray, &met, &surface.bsdf);
+            radiance += self.emitted(&surface.emission, &vertex, &segment, tally);
+            let (found, onward) = self.turn(&vertex, &segment, sampler, tally);
+            radiance += found;
+            let Some(onward) = onward else { return radiance };
+            segment = onward;
         }
-        radiance
     }
     // ANCHOR_END: radiance
 
+    // ANCHOR: turn
+    /// What is found at the vertex that `segment` led to: the light that is looked for there, as it
+    /// counts at the eye, and how the path goes on if it does.
+    #[inline]
+    fn turn<T: Tally>(
+        &self,
+        vertex: &Vertex<B>,
+        segment: &Segment,
+        sampler: &Sampler,
+        tally: &mut T,
+    ) -> (Color, Option<Segment>) {
+        let random = Random::at(sampler, segment.bounce + 1);
+        if segment.bounce == self.depth {
+            let goes_on = vertex.bsdf.sample(vertex.outgoing, &random).is_some();
+            tally.count(TRUNCATED_PATHS, u64::from(goes_on));
+            return (Color::ZERO, None);
+        }
+        let direct = self.direct(vertex, segment, &random, tally);
+        (direct, self.onward(vertex, segment, &random, tally))
+    }
+
+    /// The light that is looked for, as it counts at the eye.
+    #[inline]
+    pub fn direct<T: Tally>(
+        &self,
+        vertex: &Vertex<B>,
+        segment: &Segment,
+        random: &Random,
+        tally: &mut T,
+    ) -> Color {
+        if !(EMITTERS && vertex.bsdf.spreads()) {
+            return Color::ZERO;
+        }
+        segment.throughput * self.lighting.direct(self.world.space, vertex, random, tally)
+    }
+
+    /// How the path goes on, to light that comes by way of other surfaces.
+    #[inline]
+    pub fn onward<T: Tally>(
+        &self,
+        vertex: &Vertex<B>,
+        segment: &Segment,
+        random: &Random,
+        tally: &mut T,
+    ) -> Option<Segment> {
+        let sample = vertex.bsdf.sample(vertex.outgoing, random)?;
+        let bounce = segment.bounce + 1;
+        let throughput = segment.throughput * sample.weight;
+        let throughput = throughput * self.ending.factor(throughput, bounce, random)?;
+        if throughput == Color::ZERO {
+            return None;
+        }
+        let (ray, departure) = vertex.leave(&sample)?;
+        tally.count(BOUNCES, 1);
+        tally.count(SPECULAR_BOUNCES, u64::from(sample.is_delta));
+        tally.count(LONGEST_PATH, u64::from(bounce));
+        Some(Segment { ray, departure, throughput, bounce })
+    }
+    // ANCHOR_END: turn
+
+    /// An estimate of what the vertex that `segment` led to sends on of other lamps' light, as it counts
+    /// at the eye.
+    pub fn reflected<T: Tally>(
+        &self,
+        vertex: &Vertex<B>,
+        segment: &Segment,
+        sampler: &Sampler,
+        tally: &mut T,
+    ) -> Color {
+        let (found, onward) = self.turn(vertex, segment, sampler, tally);
+        onward.map_or(found, |onward| found + self.follow(onward, sampler, tally))
+    }
+
+    /// The light of what `segment` led to, if it is a lamp, as it counts at the eye.
+    #[inline]
+    pub fn emitted<T: Tally>(
+        &self,
+        emission: &Emission,
+        vertex: &Vertex<B>,
+        segment: &Segment,
+        tally: &mut T,
+    ) -> Color {
+        if !(EMITTERS && emission.glows()) {
+            return Color::ZERO;
+        }
+        tally.count(LAMPS_MET, 1);
+        let emitted = segment.throughput * emission.towards(vertex.outgoing.z);
+        emitted * self.lighting.share(&segment.departure, vertex.met)
+    }
+
     /// The light from all around.
     #[inline]
-    fn sky<T: Tally>(&self, tally: &mut T) -> Color {
+    pub fn sky<T: Tally>(&self, tally: &mut T) -> Color {
         if !SKY {
             return Color::ZERO;
         }

@@ -115,6 +115,11 @@ impl Bsdf for Finish {
             Self::Rough(rough) => rough.spreads(),
         }
     }
+
+    #[inline]
+    fn is_diffuse(&self) -> bool {
+        matches!(self, Self::Smooth(smooth) if smooth.is_diffuse())
+    }
 }
 
 impl Material for Finish {

@@ -6,7 +6,7 @@ use common::hard::Case;
 use common::plan::{Call, Effect, Plan, Skill};
 use common::render::{Rendering, Settings};
 use common::tally::{Event, Tally};
-use light_sampling::by_light::ByLight;
+use light_sampling::by_light::{ByLight, LIGHT_SAMPLES};
 use light_sampling::lights::Lights;
 use microfacets::command::SKILLS;
 use microfacets::finish::{Finish, Narrowest};
@@ -15,15 +15,22 @@ use path_tracing::bsdf::Bsdf;
 use path_tracing::shot::Shot;
 use path_tracing::stage::Stage;
 use path_tracing::strategy::{ByDirection, Lighting};
+use path_tracing::tracer::{
+    BOUNCES, LAMPS_MET, LONGEST_PATH, SKY_SEEN, SPECULAR_BOUNCES, TRUNCATED_PATHS,
+};
 use path_tracing::world::World;
+use ray_casting::camera::CAMERA_RAYS;
 use russian_roulette::knobs::Threshold;
 use russian_roulette::roulette::Roulette;
+use shadows::visibility::{BLOCKED_RAYS, SHADOW_RAYS};
+use triangles::brute::TRIANGLE_TESTS;
 
 use crate::combined::Combined;
 use crate::cost;
 use crate::half::{Half, Side};
 use crate::hard;
 use crate::knobs::{Knobs, LightingChoice};
+use crate::reuse::{REUSED_PATHS, Reuse};
 use crate::scenes::{self, SCENES};
 
 /// Chapter 16's program.
@@ -32,8 +39,21 @@ pub struct MultipleImportance;
 /// The same as a value, compiled here once for all who run it.
 pub static PROGRAM: Entry = Entry::of::<MultipleImportance>();
 
-/// The work that is counted: chapter 13's.
-pub use light_sampling::command::EVENTS;
+/// The work that is counted: chapter 13's, and the paths that are shared.
+pub const EVENTS: &[Event] = &[
+    CAMERA_RAYS,
+    BOUNCES,
+    SPECULAR_BOUNCES,
+    REUSED_PATHS,
+    LIGHT_SAMPLES,
+    SHADOW_RAYS,
+    BLOCKED_RAYS,
+    LAMPS_MET,
+    SKY_SEEN,
+    TRUNCATED_PATHS,
+    LONGEST_PATH,
+    TRIANGLE_TESTS,
+];
 
 impl Chapter for MultipleImportance {
     const ID: &'static str = "16-multiple-importance";
@@ -123,9 +143,10 @@ impl Picture<'_> {
         world: &World<B>,
         lighting: L,
     ) -> Rendering<T> {
-        let Knobs { threshold: Threshold(threshold), depth, .. } = *self.knobs;
+        let Knobs { threshold: Threshold(threshold), depth, reuse, division, .. } = *self.knobs;
         let camera = &self.stage.camera;
         let shot = Shot { camera, lighting, ending: Roulette { threshold }, depth };
-        shot.draw(world, self.plan, self.settings)
+        let reuse = Reuse { side: reuse.side(), division: division.into() };
+        shot.exposed(&reuse, world, self.plan, self.settings)
     }
 }

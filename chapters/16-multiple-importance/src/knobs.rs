@@ -9,6 +9,7 @@ use ray_casting::knobs::Aim;
 use russian_roulette::knobs::Threshold;
 
 use crate::heuristic::Heuristic;
+use crate::reuse::Division;
 
 /// The options of this chapter's program.
 #[derive(Clone, Copy, Debug, Args)]
@@ -32,6 +33,12 @@ pub struct Knobs {
     /// The most surfaces that a path may leave, whatever chance says
     #[arg(long, value_name = "N", allow_hyphen_values = true, default_value_t = 1000, value_parser = depth)]
     pub depth: u32,
+    /// Pixels along a side of the squares whose pixels share their paths
+    #[arg(long, value_name = "N", value_enum, default_value_t)]
+    pub reuse: Side,
+    /// How a shared path is divided among the pixels that see its second vertex
+    #[arg(long, value_enum, default_value_t)]
+    pub division: DivisionChoice,
     /// The roughness of all rough things, from 0 to 1, instead of their own
     #[arg(long, value_name = "A", allow_hyphen_values = true)]
     pub roughness: Option<Roughness>,
@@ -77,6 +84,55 @@ pub enum WayChoice {
     /// Evenly over what is seen of them.
     #[default]
     SolidAngle,
+}
+
+/// The side of a square of pixels.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub enum Side {
+    /// Each pixel has its own paths.
+    #[default]
+    #[value(name = "1")]
+    One,
+    /// Four pixels share.
+    #[value(name = "2")]
+    Two,
+    /// Sixteen.
+    #[value(name = "4")]
+    Four,
+    /// Sixty-four.
+    #[value(name = "8")]
+    Eight,
+}
+
+impl Side {
+    /// In pixels.
+    pub fn side(self) -> u32 {
+        match self {
+            Self::One => 1,
+            Self::Two => 2,
+            Self::Four => 4,
+            Self::Eight => 8,
+        }
+    }
+}
+
+/// How a shared path is divided.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub enum DivisionChoice {
+    /// By the densities with which pixels would have found the vertex.
+    #[default]
+    Balance,
+    /// Evenly, which is wrong.
+    Even,
+}
+
+impl From<DivisionChoice> for Division {
+    fn from(choice: DivisionChoice) -> Self {
+        match choice {
+            DivisionChoice::Balance => Self::Balance,
+            DivisionChoice::Even => Self::Even,
+        }
+    }
 }
 
 impl From<HeuristicChoice> for Heuristic {

@@ -35,6 +35,7 @@ pub mod heuristic;
 pub mod naive;
 pub mod place;
 pub mod plates;
+pub mod reuse;
 
 #[cfg(test)]
 mod tiles;

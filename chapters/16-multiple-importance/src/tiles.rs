@@ -9,7 +9,7 @@ use common::tally::Off;
 use microfacets::command::SKILLS;
 use microfacets::finish::Finish;
 use path_tracing::model::Model;
-use path_tracing::shot::Shot;
+use path_tracing::shot::{ByPixel, Exposure, Shot};
 use path_tracing::stage::Stage;
 use path_tracing::strategy::{Lighting, Never};
 
@@ -38,6 +38,16 @@ pub(crate) fn tiles<L: Lighting + Copy>(
     lighting: L,
     runs: &Runs,
 ) -> Vec<Running> {
+    exposed_tiles(stage, lighting, &ByPixel, runs)
+}
+
+/// The same, with the film exposed in another way.
+pub(crate) fn exposed_tiles<L: Lighting + Copy>(
+    stage: &Stage<Finish>,
+    lighting: L,
+    exposure: &impl Exposure,
+    runs: &Runs,
+) -> Vec<Running> {
     let shot = Shot { camera: &stage.camera, lighting, ending: Never, depth: runs.depth };
     let plan = Plan::new(&stage.calls, SKILLS, Simulate::All);
     let world = stage.world();
@@ -46,7 +56,7 @@ pub(crate) fn tiles<L: Lighting + Copy>(
         let &Runs { width, height, spp, .. } = runs;
         let seed = 100_000 * runs.seed + number;
         let settings = Settings { width, height, spp, seed, ..Settings::default() };
-        let film = shot.draw::<_, Off>(&world, &plan, &settings).film;
+        let film = shot.exposed::<_, Off>(exposure, &world, &plan, &settings).film;
         for (mean, sample) in means.iter_mut().zip(of_film(&film)) {
             mean.add(sample);
         }
