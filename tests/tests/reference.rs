@@ -119,6 +119,11 @@ fn the_cornell_box_found_by_directions_alone() {
 }
 
 #[test]
+fn the_cornell_box_by_paths_that_neighbours_share() {
+    check("cornell", "multiple-importance", "--spp 4 --reuse 4");
+}
+
+#[test]
 fn a_mirror_and_glass() {
     check("cornell-glass", "russian-roulette", "--spp 64");
 }

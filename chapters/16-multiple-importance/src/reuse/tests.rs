@@ -3,6 +3,7 @@ use common::film::Color;
 use common::plan::Simulate;
 use common::render::{Rendering, Settings};
 use common::stats::error::film_relative_mse;
+use common::stats::estimate::welch_test;
 use common::stats::running::Running;
 use common::tally::Counts;
 use glam::{Vec2, Vec3};
@@ -92,6 +93,22 @@ fn a_furnace_shows_nothing() {
 fn drawn(options: &str, settings: &Settings) -> Rendering<Counts> {
     let asked = Asked { scene: "cornell", options, simulate: Simulate::Needed };
     asked.draw::<MultipleImportance>(settings).expect("a picture")
+}
+
+/// Paths that end early by chance are found by the same densities: the first surface lets all go on.
+#[test]
+fn roulette_takes_nothing_from_what_is_shared() {
+    let means = |options| -> Running {
+        let mean = |seed| {
+            let settings = Settings { width: 16, height: 16, spp: 4, seed, ..Settings::default() };
+            let sum: Color = drawn(options, &settings).film.pixels.iter().sum();
+            f64::from(sum.element_sum())
+        };
+        (1..=200).map(mean).collect()
+    };
+    let [all, few] = ["--reuse 1 --threshold 0", "--reuse 4 --threshold 2"].map(means);
+    let p_value = welch_test(&all, &few).expect("many").p_value;
+    assert!(p_value > SIGNIFICANCE, "{p_value}");
 }
 
 /// What it is for: with the same number of paths, less than a quarter of the squared error.
