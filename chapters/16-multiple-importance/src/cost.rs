@@ -1,6 +1,7 @@
 //! What accuracy costs in time.
 
 mod lobes;
+mod neighbours;
 mod part_four;
 mod plates;
 mod sight;
@@ -9,6 +10,6 @@ use common::cost::Experiment;
 
 /// The chapter's experiments.
 pub fn experiments() -> Vec<Experiment<'static>> {
-    let scenes = [plates::experiment(), part_four::experiment()];
+    let scenes = [plates::experiment(), neighbours::experiment(), part_four::experiment()];
     std::iter::once(lobes::experiment()).chain(scenes.into_iter().flatten()).collect()
 }

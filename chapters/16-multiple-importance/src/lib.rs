@@ -10,6 +10,7 @@
 //! cargo run --release -p multiple-importance -- --lighting light
 //! cargo run --release -p multiple-importance -- --lighting direction
 //! cargo run --release -p multiple-importance -- --scene cornell
+//! cargo run --release -p multiple-importance -- --scene cornell --reuse 4
 //! cargo run --release -p multiple-importance -- cost
 //! cargo run --release -p multiple-importance -- hard
 //! ```
@@ -19,6 +20,7 @@
 //! | [`heuristic`] | weights that add up to 1, whatever the densities |
 //! | [`combined`] | light that is looked for in both ways |
 //! | [`half`] | what each of the two ways brings to it |
+//! | [`reuse`] | paths that neighbouring pixels share |
 //! | [`place`] | a lobe and a lamp with a closed form, to try estimators on |
 //! | [`plates`] | the scene that shows what each strategy is good for |
 //! | [`naive`] | the textbook's formulas, which fail, and estimators that are wrong |

@@ -26,7 +26,7 @@ const STEPS: [(&str, Look, bool); 5] = [
 pub(super) fn experiment() -> Option<Experiment<'static>> {
     let sight = sight()?;
     let method = |(label, lighting, roulette): (&'static str, Look, bool)| {
-        sight.method(label, label.into(), How { lighting, roulette, spp: 16, seed: 1 })
+        sight.method(label, label.into(), How { lighting, roulette, side: 1, spp: 16, seed: 1 })
     };
     Some(Experiment {
         name: "part-four",

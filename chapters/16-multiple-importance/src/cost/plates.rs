@@ -30,7 +30,7 @@ pub(super) fn experiment() -> Option<Experiment<'static>> {
     let sight = sight()?;
     let of = |spp: u32| {
         LOOKS.map(|(series, lighting)| {
-            let how = How { lighting, roulette: false, spp, seed: 1 };
+            let how = How { lighting, roulette: false, side: 1, spp, seed: 1 };
             sight.method(series, format!("{series}, {spp} spp"), how)
         })
     };

@@ -22,6 +22,7 @@ use russian_roulette::roulette::Roulette;
 
 use crate::combined::Combined;
 use crate::heuristic::Heuristic;
+use crate::reuse::{Division, Reuse};
 
 /// A scene, and a converged picture of it.
 pub(super) struct Sight {
@@ -41,6 +42,8 @@ pub(super) struct Sight {
 pub(super) struct How {
     pub(super) lighting: Look,
     pub(super) roulette: bool,
+    /// Pixels along a side of the squares that share their paths.
+    pub(super) side: u32,
     pub(super) spp: u32,
     pub(super) seed: u64,
 }
@@ -70,7 +73,7 @@ impl Sight {
         let mut sight = Self { stage, by_area, lights, width, height, depth, truth, own_error };
         let lighting = Look::Combined(Heuristic::Balance);
         let [mut one, other] =
-            [2, 3].map(|seed| sight.draw(How { lighting, roulette: false, spp, seed }));
+            [2, 3].map(|seed| sight.draw(How { lighting, roulette: false, side: 1, spp, seed }));
         // Two pictures with the same error e differ by e √2, and their mean is off by e / √2.
         sight.own_error = film_relative_mse(&one, &other)?.sqrt() / 2.0;
         for (pixel, other) in one.pixels.iter_mut().zip(&other.pixels) {
@@ -107,10 +110,11 @@ impl Sight {
     ) -> Film {
         let shot = Shot { camera: &self.stage.camera, lighting, ending, depth: self.depth };
         let plan = Plan::new(&self.stage.calls, SKILLS, Simulate::Needed);
-        let How { spp, seed, .. } = how;
+        let How { side, spp, seed, .. } = how;
         let &Self { width, height, .. } = self;
         let settings = Settings { width, height, spp, seed, threads: 1, ..Settings::default() };
-        shot.draw::<_, Off>(&self.stage.world(), &plan, &settings).film
+        let reuse = Reuse { side, division: Division::Balance };
+        shot.exposed::<_, Off>(&reuse, &self.stage.world(), &plan, &settings).film
     }
 
     /// A method of an experiment: its error is that of one picture.
