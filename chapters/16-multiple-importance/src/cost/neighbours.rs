@@ -1,4 +1,4 @@
-//! The Cornell box by paths that neighbouring pixels share: error against time.
+//! The middle of the Cornell box by paths that neighbouring pixels share: error against time.
 
 use std::rc::Rc;
 
@@ -8,10 +8,16 @@ use super::sight::{How, Look, Sight};
 use crate::heuristic::Heuristic;
 use crate::scenes::named;
 
-/// The scene; a multiple of the largest square.
+/// The scene: a quarter of its width and height, so that pixels lie as close together as in a picture of
+/// a usual size.
 fn sight() -> Option<Rc<Sight>> {
-    Sight::new(&named("cornell", 0.5).ok()?, [40, 40], 1000, 1024)
+    let mut model = named("cornell", 0.5).ok()?;
+    model.view.vertical_fov = 10.0;
+    Sight::new(&model, SIZE, 1000, 1024)
 }
+
+/// A multiple of the largest square.
+const SIZE: [u32; 2] = [40, 40];
 
 /// Sides of squares, and samples of a pixel that take about the same time.
 const STEPS: [(&str, u32, [u32; 3]); 4] = [
@@ -34,7 +40,7 @@ pub(super) fn experiment() -> Option<Experiment<'static>> {
     }
     Some(Experiment {
         name: "neighbours",
-        title: "The Cornell box, 40x40, by paths that squares of pixels share",
+        title: "The middle of the Cornell box, 40x40, by paths that squares of pixels share",
         work_unit: "paths",
         error_metric: "relative RMSE against 2048 spp of pixels alone, itself off by less than 0.02",
         plot: Plot::ErrorOverTime("relative error (RMSE)"),
