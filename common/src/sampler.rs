@@ -47,7 +47,7 @@ pub struct Sampler {
 
 impl Sampler {
     /// The numbers of sample `index` of `count` in pixel number `pixel`.
-    #[inline]
+    #[inline(always)]
     pub fn new(seed: u64, pixel: u64, index: u32, count: u32) -> Self {
         let pixel = mix(mix(seed) ^ pixel);
         Self { pixel, key: mix(pixel ^ u64::from(index)), index, count }
@@ -74,7 +74,7 @@ impl Sampler {
 
     /// 64 random bits that all samples of the pixel share, for one purpose at one bounce: where
     /// numbered points begin of which each sample takes one.
-    #[inline]
+    #[inline(always)]
     pub fn shared(&self, bounce: u32, purpose: Purpose) -> u64 {
         // Multiples of an odd number differ for all bounces there are.
         let step = u64::from(bounce).wrapping_mul(0x9e37_79b9_7f4a_7c15);
@@ -86,6 +86,38 @@ impl Sampler {
     #[inline]
     pub fn pixel_offset(&self) -> Vec2 {
         if self.count == 1 { Vec2::splat(0.5) } else { self.stream(0, PIXEL_OFFSET).uniform2() }
+    }
+}
+
+/// Several samplers side by side, for loops over all of them.
+#[derive(Clone, Copy, Debug)]
+pub struct Samplers<const COUNT: usize> {
+    pixel: [u64; COUNT],
+    key: [u64; COUNT],
+    index: [u32; COUNT],
+    count: [u32; COUNT],
+}
+
+impl<const COUNT: usize> Samplers<COUNT> {
+    /// All of them the same.
+    pub fn splat(sampler: Sampler) -> Self {
+        let Sampler { pixel, key, index, count } = sampler;
+        let (pixel, key) = ([pixel; COUNT], [key; COUNT]);
+        Self { pixel, key, index: [index; COUNT], count: [count; COUNT] }
+    }
+
+    /// Sampler number `place`.
+    #[inline(always)]
+    pub fn at(&self, place: usize) -> Sampler {
+        let (pixel, key) = (self.pixel[place], self.key[place]);
+        Sampler { pixel, key, index: self.index[place], count: self.count[place] }
+    }
+
+    /// Changes sampler number `place`.
+    #[inline(always)]
+    pub fn set(&mut self, place: usize, sampler: Sampler) {
+        (self.pixel[place], self.key[place]) = (sampler.pixel, sampler.key);
+        (self.index[place], self.count[place]) = (sampler.index, sampler.count);
     }
 }
 
@@ -131,7 +163,7 @@ impl Stream {
 
 /// The finalizer of SplitMix64: every output bit depends on every input bit, and no two inputs
 /// give the same output.
-#[inline]
+#[inline(always)]
 fn mix(key: u64) -> u64 {
     let key = key.wrapping_add(0x9e37_79b9_7f4a_7c15);
     let key = (key ^ (key >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);

@@ -89,6 +89,7 @@ impl Camera {
 
     // ANCHOR: ray
     /// The ray through a point of the film, in pixels from its top left corner.
+    #[inline(always)]
     pub fn ray(&self, position: Vec2) -> Ray {
         let Frame { right, up, forward } = self.frame;
         let film = self.plane(position);
@@ -99,6 +100,7 @@ impl Camera {
     /// A point of the film, in pixels, on the plane one unit before the eye: x to the right, y up.
     ///
     /// The differences are exact, so mirrored pixels have mirrored points to the bit.
+    #[inline(always)]
     fn plane(&self, position: Vec2) -> Vec2 {
         let x = (2.0 * position.x - self.size.x) / self.size.y;
         let y = (self.size.y - 2.0 * position.y) / self.size.y;

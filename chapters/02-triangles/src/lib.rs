@@ -22,6 +22,7 @@
 //! | [`area`] | whether a triangle has an area, decided exactly |
 //! | [`brute`] | the nearest hit among all triangles |
 //! | [`mesh`] | triangles that share their vertices |
+//! | [`bundle`], [`few`] | sixteen rays at a time, against a few triangles |
 //! | [`packed`] | a mesh as a shape, four triangles at a time |
 //! | [`parts`] | a mesh in parts, one a material |
 //! | [`closed`] | meshes that have an inside |
@@ -37,11 +38,13 @@
 pub mod area;
 pub mod brute;
 pub mod bumpy;
+pub mod bundle;
 pub mod bunny;
 pub mod calls;
 pub mod closed;
 pub mod convert;
 pub mod exercises;
+pub mod few;
 pub mod hard;
 pub mod intersect;
 pub mod lanes;

@@ -10,6 +10,7 @@ use crate::mesh::Mesh;
 ///
 /// For the corners' places it is the point of the hit. Its error does not grow with the ray's
 /// length, as that of `origin + t * direction` does (hard case RC-10 is the sphere's version).
+#[inline(always)]
 pub fn between([a, b, c]: [Vec3; 3], barycentric: Vec3) -> Vec3 {
     barycentric.x * a + barycentric.y * b + barycentric.z * c
 }
@@ -23,12 +24,14 @@ pub fn between([a, b, c]: [Vec3; 3], barycentric: Vec3) -> Vec3 {
 /// shear and their difference, which moves a corner along an axis by two roundings of its distance
 /// along that axis and along the ray's longest; between moved corners the triangle moves no
 /// farther than they.
+#[inline(always)]
 pub fn place(corners: [Vec3; 3], barycentric: Vec3) -> Placed {
     let point = between(corners, barycentric);
-    let [a, b, c] = corners.map(|corner| (corner - point).abs());
-    let distance = a.max(b).max(c);
+    let [a, b, c] = corners;
+    let distance = (a - point).abs().max((b - point).abs()).max((c - point).abs());
     let sheared = distance + Vec3::splat(distance.max_element());
-    let error = gamma(5) * between(corners.map(Vec3::abs), barycentric) + gamma(3) * sheared;
+    let size = between([a.abs(), b.abs(), c.abs()], barycentric);
+    let error = const { gamma(5) } * size + const { gamma(3) } * sheared;
     Placed { point, error }
 }
 // ANCHOR_END: place

@@ -53,12 +53,15 @@ pub struct Measured {
     /// How far along the ray, in lengths of its direction: finite and above 0.
     pub t: f32,
     /// The edge functions.
-    edges: [f64; 3],
+    pub(crate) edges: [f64; 3],
     /// Their sum.
-    determinant: f64,
+    pub(crate) determinant: f64,
 }
 
 impl Measured {
+    /// What stands in where there is nothing.
+    pub(crate) const NONE: Self = Self { t: f32::INFINITY, edges: [0.0; 3], determinant: 1.0 };
+
     /// The whole answer.
     #[inline]
     pub fn hit(&self) -> TriangleHit {
@@ -80,26 +83,11 @@ impl ShearedRay {
     }
     // ANCHOR_END: shear
 
-    // ANCHOR: measure
-    /// Decides in f64, where the sign of an edge function is exact, and measures what is hit. The
-    /// corners are in the ray's coordinates, and the triangle must have an area.
+    /// [`measure`] for this ray.
     #[inline]
     pub fn measure(&self, sheared: [Vec3; 3], t_max: f32) -> Option<Measured> {
-        let [a, b, c] = sheared;
-        let (u, v, w) = (exact_edge(b, c), exact_edge(c, a), exact_edge(a, b));
-        if differ_in_sign(u, v, w) {
-            return None;
-        }
-        let determinant = sum(u, v, w);
-        let depth = sum(u * f64::from(a.z), v * f64::from(b.z), w * f64::from(c.z)) / determinant;
-        let t = (depth / f64::from(self.advance)) as f32;
-        // NaN fails every comparison, so 0/0 from a triangle seen edge-on ends here too.
-        if !(t > 0.0 && t < t_max) {
-            return None;
-        }
-        Some(Measured { t, edges: [u, v, w], determinant })
+        measure(self.advance, sheared, t_max)
     }
-    // ANCHOR_END: measure
 
     /// The same, kept out of the loop over triangles: few come so far.
     #[inline(never)]
@@ -107,6 +95,28 @@ impl ShearedRay {
         self.measure(sheared, t_max).map(|measured| measured.hit())
     }
 }
+
+// ANCHOR: measure
+/// Decides in f64, where the sign of an edge function is exact, and measures what is hit. The
+/// corners are in the coordinates of a ray that goes as far as `advance` along the third axis, and
+/// the triangle must have an area.
+#[inline(always)]
+pub(crate) fn measure(advance: f32, sheared: [Vec3; 3], t_max: f32) -> Option<Measured> {
+    let [a, b, c] = sheared;
+    let (u, v, w) = (exact_edge(b, c), exact_edge(c, a), exact_edge(a, b));
+    if differ_in_sign(u, v, w) {
+        return None;
+    }
+    let determinant = sum(u, v, w);
+    let depth = sum(u * f64::from(a.z), v * f64::from(b.z), w * f64::from(c.z)) / determinant;
+    let t = (depth / f64::from(advance)) as f32;
+    // NaN fails every comparison, so 0/0 from a triangle seen edge-on ends here too.
+    if !(t > 0.0 && t < t_max) {
+        return None;
+    }
+    Some(Measured { t, edges: [u, v, w], determinant })
+}
+// ANCHOR_END: measure
 
 // ANCHOR: edge
 /// Twice the signed area of the triangle (0, p, q) in the plane across the ray: which side of the
@@ -118,7 +128,7 @@ fn edge(p: Vec3, q: Vec3) -> f32 {
 
 /// The same with a sign that is never wrong: two f32 multiply to 48 bits at most, an f64 holds 53,
 /// so both products are exact and their difference is rounded once.
-#[inline]
+#[inline(always)]
 pub(crate) fn exact_edge(p: Vec3, q: Vec3) -> f64 {
     f64::from(p.x) * f64::from(q.y) - f64::from(p.y) * f64::from(q.x)
 }
@@ -126,26 +136,26 @@ pub(crate) fn exact_edge(p: Vec3, q: Vec3) -> f64 {
 
 /// Whether one is negative and one is positive. By the lowest and the highest, which a processor
 /// finds without a jump it could guess wrong.
-#[inline]
+#[inline(always)]
 fn differ_in_sign<N: PartialOrd + Default + Copy>(u: N, v: N, w: N) -> bool {
     lower(lower(u, v), w) < N::default() && higher(higher(u, v), w) > N::default()
 }
 
 /// The lower of two; either where one is NaN.
-#[inline]
+#[inline(always)]
 fn lower<N: PartialOrd>(x: N, y: N) -> N {
     if x < y { x } else { y }
 }
 
 /// The higher of two; either where one is NaN.
-#[inline]
+#[inline(always)]
 fn higher<N: PartialOrd>(x: N, y: N) -> N {
     if x > y { x } else { y }
 }
 
 // ANCHOR: sum
 /// A sum of three that is the same to the last bit in whatever order they come.
-#[inline]
+#[inline(always)]
 fn sum(x: f64, y: f64, z: f64) -> f64 {
     let (low, high) = if x < y { (x, y) } else { (y, x) };
     let (low, middle) = if z < low { (z, low) } else { (low, z) };

@@ -9,13 +9,13 @@ use ray_casting::shape::Hit;
 /// one's length.
 ///
 /// Pharr, Jakob and Humphreys, "Physically Based Rendering" (fourth edition, 2023), section 6.8.6.
-#[inline]
+#[inline(always)]
 pub fn spawn(hit: &Hit, direction: Vec3) -> Vec3 {
     leave(hit, direction, reach(hit))
 }
 
 /// How far from its point, along its normal, the surface at `hit` may be.
-#[inline]
+#[inline(always)]
 fn reach(hit: &Hit) -> f32 {
     hit.geometric.abs().dot(hit.error)
 }
@@ -26,15 +26,15 @@ fn reach(hit: &Hit) -> f32 {
 /// Shapes know their own error for rays that start beside them. The longer the way, the more is
 /// rounded: at most 32 roundings of the distance, and for a sphere as many of its radius, of which
 /// `hit.error` has seven. A plane needs four and a triangle six.
-#[inline]
+#[inline(always)]
 pub(crate) fn spawn_far(hit: &Hit, direction: Vec3, distance: f32) -> Vec3 {
-    leave(hit, direction, 5.0 * reach(hit) + gamma(32) * distance)
+    leave(hit, direction, 5.0 * reach(hit) + const { gamma(32) } * distance)
 }
 
 // ANCHOR: leave
 /// The point of `hit`, moved `distance` or a little more along the surface's own normal to the side
 /// of `direction`.
-#[inline]
+#[inline(always)]
 fn leave(hit: &Hit, direction: Vec3, distance: f32) -> Vec3 {
     let normal = hit.geometric;
     let outward = normal.dot(direction) >= 0.0;

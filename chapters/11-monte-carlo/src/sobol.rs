@@ -13,7 +13,7 @@ use glam::Vec2;
 /// Sobol, "On the distribution of points in a cube" (1967); the scrambling is Owen's ("Randomly
 /// permuted (t,m,s)-nets and (t,s)-sequences", 1995) by hashing: Burley, "Practical hash-based Owen
 /// scrambling" (Journal of Computer Graphics Techniques 9(4), 2020).
-#[inline]
+#[inline(always)]
 pub fn pair(index: u32, seed: u64) -> Vec2 {
     let (order, digits) = (seed as u32, (seed >> 32) as u32);
     let index = scrambled(index, order);
@@ -24,7 +24,7 @@ pub fn pair(index: u32, seed: u64) -> Vec2 {
 // ANCHOR_END: pair
 
 /// The first coordinate of [`pair`] alone, to the bit.
-#[inline]
+#[inline(always)]
 pub fn first(index: u32, seed: u64) -> f32 {
     let (order, digits) = (seed as u32, (seed >> 32) as u32);
     unit(scrambled_reversed(scrambled(index, order), digits).reverse_bits())
@@ -36,7 +36,7 @@ const OTHER: u32 = 0x5851_f42d;
 // ANCHOR: unit
 /// The number in [0, 1) with these 24 leading binary digits. The lowest eight bits have no place in
 /// an `f32` just below 1; keeping them rounds the top 128 numbers to 1 (hard case MC-01).
-#[inline]
+#[inline(always)]
 pub fn unit(bits: u32) -> f32 {
     (bits >> 8) as f32 * f32::EPSILON / 2.0
 }
@@ -47,7 +47,7 @@ pub fn unit(bits: u32) -> f32 {
 ///
 /// The first coordinate of a point is its index with the digits reversed; the second multiplies the
 /// index's digits by Pascal's triangle modulo 2. Each step adds the columns of one power of two.
-#[inline]
+#[inline(always)]
 fn second_reversed(index: u32) -> u32 {
     let mut digits = index;
     digits ^= (digits & 0xaaaa_aaaa) >> 1;
@@ -65,7 +65,7 @@ fn second_reversed(index: u32) -> u32 {
 /// Multiplying by an even number, and adding, lets a bit change only higher ones. Laine and Karras,
 /// "Stratified sampling for stochastic transparency" (Eurographics Symposium on Rendering 2011), with
 /// Vegdahl's constants (2021).
-#[inline]
+#[inline(always)]
 fn scrambled_reversed(digits: u32, seed: u32) -> u32 {
     let mut digits = digits;
     digits ^= digits.wrapping_mul(0x3d20_adea);
@@ -76,7 +76,7 @@ fn scrambled_reversed(digits: u32, seed: u32) -> u32 {
 }
 
 /// The same for digits whose first is in the highest bit.
-#[inline]
+#[inline(always)]
 fn scrambled(number: u32, seed: u32) -> u32 {
     scrambled_reversed(number.reverse_bits(), seed).reverse_bits()
 }

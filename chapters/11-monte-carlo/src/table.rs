@@ -59,11 +59,10 @@ impl Table {
     /// The thing in whose slots the number `u` of [0, 1) lies.
     #[inline]
     pub fn pick(&self, u: f32) -> Pick {
-        let slot = (u * SLOTS as f32) as u32;
+        let slot = slot(u);
         let index = self.ends.partition_point(|&end| end <= slot);
         let (start, slots) = self.slots(index);
-        let rest = (slot - start) as f32 / slots as f32;
-        Pick { index, probability: slots as f32 / SLOTS as f32, rest: rest.min(BELOW_ONE) }
+        Pick { index, ..Pick::of_slot(slot, start, slots) }
     }
     // ANCHOR_END: pick
 
@@ -90,9 +89,24 @@ impl Table {
 
     /// The first slot of a thing, and how many it has.
     #[inline]
-    fn slots(&self, index: usize) -> (u32, u32) {
+    pub fn slots(&self, index: usize) -> (u32, u32) {
         let start = index.checked_sub(1).map_or(0, |before| self.ends[before]);
         (start, self.ends[index] - start)
+    }
+}
+
+/// The slot in which the number `u` of [0, 1) lies.
+#[inline]
+pub fn slot(u: f32) -> u32 {
+    (u * SLOTS as f32) as u32
+}
+
+impl Pick {
+    /// What is known of a thing that has `slots` slots from `start` on, among them `slot`.
+    #[inline]
+    pub fn of_slot(slot: u32, start: u32, slots: u32) -> Self {
+        let rest = slot.wrapping_sub(start) as f32 / slots as f32;
+        Self { index: 0, probability: slots as f32 / SLOTS as f32, rest: rest.min(BELOW_ONE) }
     }
 }
 

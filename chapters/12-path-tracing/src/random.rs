@@ -20,19 +20,19 @@ pub struct Random {
 
 impl Random {
     /// The numbers at bounce `bounce`; 0 is the camera, 1 the first surface.
-    #[inline]
+    #[inline(always)]
     pub fn at(sampler: &Sampler, bounce: u32) -> Self {
         Self { sampler: *sampler, bounce }
     }
 
     /// Two numbers for one purpose, each in [0, 1).
-    #[inline]
+    #[inline(always)]
     pub fn pair(&self, purpose: Purpose) -> Vec2 {
         sobol::pair(self.sampler.index(), self.sampler.shared(self.bounce, purpose))
     }
 
     /// One number for one purpose, in [0, 1).
-    #[inline]
+    #[inline(always)]
     pub fn number(&self, purpose: Purpose) -> f32 {
         sobol::first(self.sampler.index(), self.sampler.shared(self.bounce, purpose))
     }

@@ -118,7 +118,7 @@ impl Exposure for ByPixel {
 // ANCHOR: position
 /// Where on the film a sample lies, in pixels: spread evenly over the pixel, or in its middle when
 /// it is the only one.
-#[inline]
+#[inline(always)]
 pub fn position(pixel: Pixel, sampler: &Sampler) -> Vec2 {
     if sampler.count() == 1 {
         return pixel.position(sampler);

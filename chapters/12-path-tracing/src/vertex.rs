@@ -42,16 +42,19 @@ impl<'a, B: Bsdf> Vertex<'a, B> {
     /// direction so low that rounding carried it through the surface (hard case PT-08).
     #[inline]
     pub fn leave(&self, sample: &BsdfSample) -> Option<(Ray, Departure)> {
-        let direction = self.frame.to_world(sample.incoming);
-        let direction = direction / direction.length();
-        let height = direction.dot(self.met.hit.geometric);
-        if !(height * sample.incoming.z > 0.0) {
-            return None;
-        }
-        let ray = Ray { origin: spawn(&self.met.hit, direction), direction };
-        let from = self.met.hit.point;
+        let ray = leaving(self.hit(), &self.frame, sample.incoming)?;
+        let from = self.hit().point;
         Some((ray, Departure { from, pdf: sample.pdf, is_delta: sample.is_delta }))
     }
+}
+
+/// The ray that leaves `hit` in the direction `incoming` of its axes, if that is on the side it should be.
+#[inline(always)]
+pub fn leaving(hit: &Hit, frame: &Frame, incoming: Vec3) -> Option<Ray> {
+    let direction = frame.to_world(incoming);
+    let direction = direction / direction.length();
+    let height = direction.dot(hit.geometric);
+    (height * incoming.z > 0.0).then(|| Ray { origin: spawn(hit, direction), direction })
 }
 // ANCHOR_END: vertex
 

@@ -183,7 +183,7 @@ fn seen(ball: &Sphere, from: Vec3, way: Way) -> Option<(f32, Cap)> {
 // ANCHOR: by_area
 /// A point that was chosen uniformly over `area`, seen from `from`.
 #[inline]
-fn by_area(from: Vec3, hit: Hit, area: f32) -> Option<LampPoint> {
+pub fn by_area(from: Vec3, hit: Hit, area: f32) -> Option<LampPoint> {
     let way = hit.point - from;
     let direction = way / way.length();
     let pdf = area_pdf(from, &hit, area);

@@ -109,6 +109,16 @@ impl Lights {
         self.lamp(piece).map(|(_lamp, probability)| probability)
     }
 
+    /// The number of the lamp that this piece is.
+    pub fn number(&self, piece: usize) -> Option<usize> {
+        self.of_piece.get(piece).map(|&lamp| lamp as usize).filter(|&lamp| lamp < self.lamps.len())
+    }
+
+    /// How often each lamp is chosen; `None` when there is no lamp.
+    pub fn table(&self) -> Option<&Table> {
+        self.table.as_ref()
+    }
+
     /// The lamps.
     pub fn lamps(&self) -> &[Lamp] {
         &self.lamps

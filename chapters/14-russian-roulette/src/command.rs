@@ -7,10 +7,12 @@ use common::plan::{Call, Effect, Plan, Skill};
 use common::render::{Rendering, Settings};
 use common::tally::{Event, Tally};
 use light_sampling::by_light::{ByLight, LIGHT_SAMPLES};
+use light_sampling::lamp::Way;
 use light_sampling::lights::Lights;
 use light_sampling::scenes::{self, SCENES};
 use path_tracing::bsdf::Bsdf;
 use path_tracing::command::SKILLS;
+use path_tracing::lambert::Lambert;
 use path_tracing::shot::Shot;
 use path_tracing::smooth::Smooth;
 use path_tracing::stage::Stage;
@@ -23,7 +25,9 @@ use ray_casting::camera::{CAMERA_RAYS, Camera};
 use shadows::visibility::{BLOCKED_RAYS, SHADOW_RAYS};
 use triangles::brute::TRIANGLE_TESTS;
 
-use crate::knobs::Knobs;
+use crate::abreast::Abreast;
+use crate::ending::Rule;
+use crate::knobs::{Knobs, Paths};
 use crate::{cost, hard};
 
 /// Chapter 14's program.
@@ -80,7 +84,7 @@ impl Chapter for RussianRoulette {
     ) -> Rendering<T> {
         let world = stage.world();
         match world.matte(plan) {
-            Some(matte) => lit(&matte, &stage.camera, plan, settings, knobs),
+            Some(world) => matte(&world, &stage.camera, plan, settings, knobs),
             None => lit(&world, &stage.camera, plan, settings, knobs),
         }
     }
@@ -92,6 +96,42 @@ impl Chapter for RussianRoulette {
     fn hard() -> Vec<Case> {
         hard::CASES.to_vec()
     }
+}
+
+/// The picture of matte surfaces: by sixteen paths side by side where that is possible.
+pub fn matte<T: Tally>(
+    world: &World<Lambert>,
+    camera: &Camera,
+    plan: &Plan,
+    settings: &Settings,
+    knobs: &Knobs,
+) -> Rendering<T> {
+    abreast(world, camera, plan, settings, knobs)
+        .unwrap_or_else(|| lit(world, camera, plan, settings, knobs))
+}
+
+/// The picture by sixteen paths side by side. `None` if the scene, the plan or the options ask for more
+/// than matte triangles, lit by lamps that are looked for by their area.
+fn abreast<T: Tally>(
+    world: &World<Lambert>,
+    camera: &Camera,
+    plan: &Plan,
+    settings: &Settings,
+    knobs: &Knobs,
+) -> Option<Rendering<T>> {
+    let simple = plan.simulates(Effect::AreaLights)
+        && plan.simulates(Effect::IndirectLight)
+        && !plan.simulates(Effect::EnvironmentLight)
+        && knobs.paths == Paths::Abreast;
+    let way = knobs.lighting.way().filter(|way| simple && *way == Way::Area)?;
+    let lights = Lights::new(world.space, &world.surfaces, knobs.lamps.into(), way);
+    let depth = knobs.depth;
+    Some(match knobs.rule() {
+        Rule::Throughput(roulette) => {
+            Abreast::new(world, camera, &lights, (roulette, depth), settings)?.draw()
+        }
+        rule => Abreast::new(world, camera, &lights, (rule, depth), settings)?.draw(),
+    })
 }
 
 /// The picture of any materials, with light looked for and paths ended as the options say.

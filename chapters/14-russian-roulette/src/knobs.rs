@@ -2,7 +2,7 @@
 
 use std::str::FromStr;
 
-use clap::Args;
+use clap::{Args, ValueEnum};
 use light_sampling::knobs::{LampChoice, LightingChoice};
 use path_tracing::knobs::{Albedo, depth};
 use ray_casting::knobs::Aim;
@@ -33,6 +33,9 @@ pub struct Knobs {
     /// Which lamp is looked at
     #[arg(long, value_enum, default_value_t)]
     pub lamps: LampChoice,
+    /// How paths are followed
+    #[arg(long, value_enum, default_value_t)]
+    pub paths: Paths,
     /// The part of the light that the furnaces' walls reflect, from 0 to 1
     #[arg(long, value_name = "A", allow_hyphen_values = true, default_value = "0.5")]
     pub albedo: Albedo,
@@ -53,6 +56,16 @@ impl Knobs {
             Choice::Off => Rule::Never,
         }
     }
+}
+
+/// How paths are followed.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub enum Paths {
+    /// Sixteen side by side, in scenes of a few matte triangles; the picture is the same, to the bit.
+    #[default]
+    Abreast,
+    /// One after another.
+    Single,
 }
 
 /// When paths end.

@@ -24,6 +24,7 @@
 //! | `knobs`, `command` | the program and its options |
 //! | [`exercises`] | yours to write |
 
+pub mod abreast;
 pub mod ending;
 pub mod exercises;
 pub mod hard;

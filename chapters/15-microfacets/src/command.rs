@@ -8,7 +8,7 @@ use common::plan::{Call, Effect, Plan, Skill};
 use common::render::{Rendering, Settings};
 use common::tally::{Event, Tally};
 use path_tracing::stage::Stage;
-use russian_roulette::command::{EVENTS, lit};
+use russian_roulette::command::{EVENTS, lit, matte};
 
 use crate::finish::{Finish, Narrowest};
 use crate::knobs::Knobs;
@@ -67,7 +67,7 @@ impl Chapter for Microfacets {
     ) -> Rendering<T> {
         let (camera, path) = (&stage.camera, &knobs.path);
         match Narrowest::new(stage.world(), plan) {
-            Narrowest::Matte(world) => lit(&world, camera, plan, settings, path),
+            Narrowest::Matte(world) => matte(&world, camera, plan, settings, path),
             Narrowest::Smooth(world) => lit(&world, camera, plan, settings, path),
             Narrowest::Finish(world) => lit(&world, camera, plan, settings, path),
         }

@@ -30,14 +30,20 @@ pub fn direction(angle: f32) -> Vec2 {
 /// 1997).
 #[inline]
 pub fn concentric(u: Vec2) -> Vec2 {
-    let square = 2.0 * u - Vec2::ONE;
-    if square == Vec2::ZERO {
-        return Vec2::ZERO;
-    }
-    if square.x.abs() > square.y.abs() {
-        square.x * direction(FRAC_PI_4 * (square.y / square.x))
+    let (radius, angle) = radius_and_angle(u);
+    radius * direction(angle)
+}
+
+/// The radius of that point, which may be below 0, and its angle.
+#[inline]
+pub fn radius_and_angle(u: Vec2) -> (f32, f32) {
+    let Vec2 { x, y } = 2.0 * u - Vec2::ONE;
+    if x.abs() > y.abs() {
+        (x, FRAC_PI_4 * (y / x))
     } else {
-        square.y * direction(FRAC_PI_2 - FRAC_PI_4 * (square.x / square.y))
+        let angle = FRAC_PI_2 - FRAC_PI_4 * (x / y);
+        // In the middle 0 / 0 is no angle, and any will do.
+        (y, if y == 0.0 { 0.0 } else { angle })
     }
 }
 // ANCHOR_END: concentric

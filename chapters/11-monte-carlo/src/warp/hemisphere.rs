@@ -24,7 +24,12 @@ pub fn uniform(u: Vec2) -> Vec3 {
 /// hemisphere (Malley's method).
 #[inline]
 pub fn cosine(u: Vec2) -> Vec3 {
-    let point = disk::concentric(u);
+    raised(disk::concentric(u))
+}
+
+/// A point of the disk, raised to the hemisphere.
+#[inline]
+pub fn raised(point: Vec2) -> Vec3 {
     // Rounding can carry a point of the rim past it (hard case MC-02), and a height of 0 would have
     // the density 0 (MC-03).
     let z = (1.0 - point.length_squared()).max(LOWEST * LOWEST).sqrt();
