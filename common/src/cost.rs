@@ -52,6 +52,9 @@ pub enum Plot {
     /// A point a method: its error, on an axis with this short label, over the nanoseconds for one
     /// unit of work.
     ErrorOverTime(&'static str),
+    /// A curve a series: its error, on an axis with this short label, over the milliseconds of a run,
+    /// from few samples to many.
+    Convergence(&'static str),
     /// A curve a series: milliseconds over the methods' sizes, whose axis has this label.
     TimeOver(&'static str),
     /// A curve a series: the error over the methods' sizes, such as numbers of samples.

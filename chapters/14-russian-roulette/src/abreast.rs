@@ -44,6 +44,7 @@ pub struct Abreast<'a, E> {
     depth: u32,
     camera: Camera,
     settings: &'a Settings,
+    start: Start,
 }
 
 impl<'a, E: Ending + Copy> Abreast<'a, E> {
@@ -57,7 +58,12 @@ impl<'a, E: Ending + Copy> Abreast<'a, E> {
     ) -> Option<Self> {
         let room = Room::new(world, lights)?;
         let camera = camera.with_film(settings.width, settings.height);
-        Some(Self { room, ending, depth, camera, settings })
+        Some(Self { room, ending, depth, camera, settings, start: Start::default() })
+    }
+
+    /// The same, with paths that start so: the picture doesn't change.
+    pub fn starting(self, start: Start) -> Self {
+        Self { start, ..self }
     }
 
     /// The picture.
@@ -86,6 +92,16 @@ impl<'a, E: Ending + Copy> Abreast<'a, E> {
     }
 }
 
+/// When paths start.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Start {
+    /// As soon as another one has ended.
+    #[default]
+    AtOnce,
+    /// When all have ended: what not to do.
+    Together,
+}
+
 /// Samples of the film, numbered pixel by pixel.
 struct Batch<'a, E, T> {
     abreast: &'a Abreast<'a, E>,
@@ -97,37 +113,41 @@ struct Batch<'a, E, T> {
 impl<E: Ending + Copy, T: Tally> NullaryFnOnce for Batch<'_, E, T> {
     type Output = ();
 
+    // ANCHOR: batch
     #[inline(always)]
     fn call(self) {
         let Self { abreast, first, colors, tally } = self;
-        let Abreast { room, ending, depth, .. } = abreast;
+        let Abreast { room, ending, depth, camera, settings, start } = abreast;
         let tracer = Tracer { room, ending: *ending, depth: *depth };
         let (mut paths, mut next) = (Paths::new(), 0);
-        let mut cursor = Cursor::at(first as u64, abreast.settings);
-        let mut fresh = Fresh::next(&mut cursor, &abreast.camera, abreast.settings);
+        let mut cursor = Cursor::at(first as u64, settings);
+        let mut fresh = Fresh::next(&mut cursor, camera, settings);
         loop {
+            let all_ended = !paths.used.contains(&true);
             for path in 0..RAYS {
-                if !paths.used[path] && next < colors.len() {
+                let has_room = !paths.used[path] && (all_ended || *start == Start::AtOnce);
+                if has_room && next < colors.len() {
                     paths.start(path, next, &fresh, next % RAYS);
                     next += 1;
                     if next % RAYS == 0 {
-                        fresh = Fresh::next(&mut cursor, &abreast.camera, abreast.settings);
+                        fresh = Fresh::next(&mut cursor, camera, settings);
                     }
                 }
             }
-            if !paths.used.contains(&true) {
-                tally.count(CAMERA_RAYS, colors.len() as u64);
-                return;
+            let before = paths.used;
+            if !before.contains(&true) {
+                break;
             }
-            let was = paths.used;
             paths.step(&tracer, tally);
             for path in 0..RAYS {
-                if was[path] && !paths.used[path] {
+                if before[path] && !paths.used[path] {
                     colors[paths.sample[path]] = paths.radiance.at(path);
                 }
             }
         }
+        tally.count(CAMERA_RAYS, colors.len() as u64);
     }
+    // ANCHOR_END: batch
 }
 
 #[cfg(test)]

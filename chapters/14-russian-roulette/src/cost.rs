@@ -1,5 +1,6 @@
 //! What accuracy costs in time.
 
+mod abreast;
 mod depth;
 mod sight;
 mod survival;
@@ -8,5 +9,8 @@ use common::cost::Experiment;
 
 /// The chapter's experiments.
 pub fn experiments() -> Vec<Experiment<'static>> {
-    [survival::experiment(), depth::experiment()].into_iter().flatten().collect()
+    [survival::experiment(), depth::experiment(), abreast::experiment()]
+        .into_iter()
+        .flatten()
+        .collect()
 }

@@ -9,6 +9,7 @@
 //! cargo run --release -p russian-roulette -- --roulette report
 //! cargo run --release -p russian-roulette -- --roulette 0.2
 //! cargo run --release -p russian-roulette -- --threshold 2
+//! cargo run --release -p russian-roulette -- --paths single
 //! cargo run --release -p russian-roulette -- cost
 //! cargo run --release -p russian-roulette -- hard
 //! ```
@@ -18,6 +19,7 @@
 //! | [`roulette`] | survival that is constant, and survival by what a path carries |
 //! | [`walk`], [`variance`] | paths in a furnace, and what chance does to them, in closed form |
 //! | [`ending`] | the endings a picture may choose from |
+//! | [`abreast`] | sixteen paths side by side, for scenes of a few matte triangles |
 //! | [`naive`] | the report's line and the textbook's, which fail |
 //! | [`hard`] | inputs on which they fail and ours don't |
 //! | `cost` | what accuracy costs in time |

@@ -66,6 +66,12 @@ fn axes(table: &Table) -> Axes {
             x: Row::nanoseconds,
             y: |row| row.error,
         },
+        Plot::Convergence(error) => Axes {
+            x_label: "milliseconds (median)".into(),
+            y_label: error.into(),
+            x: |row| row.time.median,
+            y: |row| row.error,
+        },
         Plot::TimeOver(size) => Axes {
             x_label: size.into(),
             y_label: "milliseconds (median)".into(),
@@ -139,7 +145,9 @@ fn draw(panel: &Panel, table: &Table) -> Result<(), DrawError> {
 /// Where the legend covers nothing: curves of time over size rise to the right, those of an error fall.
 fn legend(plot: Plot) -> SeriesLabelPosition {
     match plot {
-        Plot::ErrorOverTime(_) | Plot::ErrorOver { .. } => SeriesLabelPosition::UpperRight,
+        Plot::ErrorOverTime(_) | Plot::Convergence(_) | Plot::ErrorOver { .. } => {
+            SeriesLabelPosition::UpperRight
+        }
         Plot::TimeOver(_) => SeriesLabelPosition::UpperLeft,
     }
 }
@@ -148,7 +156,7 @@ fn legend(plot: Plot) -> SeriesLabelPosition {
 fn name(table: &Table, row: &Row) -> String {
     match table.plot {
         Plot::ErrorOverTime(_) => row.label.clone(),
-        Plot::TimeOver(_) | Plot::ErrorOver { .. } => row.series.into(),
+        Plot::Convergence(_) | Plot::TimeOver(_) | Plot::ErrorOver { .. } => row.series.into(),
     }
 }
 
@@ -196,6 +204,13 @@ mod tests {
         assert_eq!(text.matches("</svg>").count(), 1);
         assert!(text.trim_end().ends_with("</svg>"), "{text}");
         assert!(text.contains("\n0\n"), "the label of no error: {text}");
+    }
+
+    #[test]
+    fn an_error_that_falls_with_time_is_a_curve_a_series() {
+        let text = svg(&[table(Plot::Convergence("error (RMS)"))]).expect("it can be drawn");
+        assert!(text.contains("\nmilliseconds (median)\n"), "{text}");
+        assert!(text.contains("\none\n") && !text.contains("\nfast\n"), "one curve: {text}");
     }
 
     #[test]

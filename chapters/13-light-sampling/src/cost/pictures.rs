@@ -124,7 +124,7 @@ pub(super) fn looking() -> Option<Experiment<'static>> {
         title: "The Cornell box, 32x32: light found by chance, or looked for at the lamp",
         work_unit: "pictures",
         error_metric: METRIC,
-        plot: Plot::ErrorOverTime("relative error of a tile"),
+        plot: Plot::Convergence("relative error of a tile"),
         methods: rows(CHANCE, None).into_iter().chain(rows(AREA, Some(Way::Area))).collect(),
         note: gain,
     })
@@ -171,7 +171,7 @@ pub(super) fn choosing() -> Option<Experiment<'static>> {
         title: "64 lamps in the box, 32x32: which is looked at",
         work_unit: "pictures",
         error_metric: METRIC,
-        plot: Plot::ErrorOverTime("relative error of a tile"),
+        plot: Plot::Convergence("relative error of a tile"),
         methods: methods.collect(),
         note: |table| compared(table, "by power", "alike"),
     })

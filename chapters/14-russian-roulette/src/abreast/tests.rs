@@ -21,7 +21,7 @@ use pulp::NullaryFnOnce;
 use ray_casting::camera::CAMERA_RAYS;
 use shadows::visibility::{BLOCKED_RAYS, SHADOW_RAYS};
 
-use super::{Abreast, Batch};
+use super::{Abreast, Batch, Start};
 use crate::ending::Rule;
 use crate::naive::Report;
 use crate::roulette::{Constant, Roulette};
@@ -157,6 +157,19 @@ fn the_same_bits_with_vectors_of_any_width() {
     });
     assert_eq!(narrow, wide);
     assert!(narrow.iter().any(|color| *color != Color::ZERO));
+}
+
+#[test]
+fn the_same_bits_whenever_paths_start() {
+    let (stage, settings) = (cornell(), settings(16, 16, 4));
+    let world = matte(&stage);
+    let lights = lights(&world);
+    let films = [Start::AtOnce, Start::Together].map(|start| {
+        let abreast = Abreast::new(&world, &stage.camera, &lights, (RULE, 1000), &settings);
+        let abreast = abreast.expect("a few matte triangles");
+        abreast.starting(start).draw::<Off>().film
+    });
+    assert_eq!(films[0], films[1]);
 }
 
 #[test]

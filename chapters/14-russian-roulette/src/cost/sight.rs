@@ -2,7 +2,7 @@
 
 use common::film::Film;
 use common::render::{Settings, render_counted};
-use common::tally::Tally;
+use common::tally::{Off, Tally};
 use light_sampling::by_light::ByLight;
 use light_sampling::lamp::Way;
 use light_sampling::lights::{Choice, Lights};
@@ -14,6 +14,7 @@ use path_tracing::stage::Stage;
 use path_tracing::tracer::PathTracer;
 use path_tracing::world::World;
 
+use crate::abreast::{Abreast, Start};
 use crate::ending::Rule;
 
 /// Pixels on each side of the picture.
@@ -46,16 +47,36 @@ impl Sight {
         let Some(world): Option<World<Lambert>> = world.narrowed(Smooth::lambert) else {
             return (Film::new(SIDE, SIDE), T::default());
         };
-        let lights = Lights::new(world.space, &world.surfaces, Choice::Power, Way::Area);
+        let lights = lights(&world);
         let How { rule: ending, depth, spp, seed } = how;
         let lighting = ByLight { lights: &lights };
         let tracer = PathTracer::<_, _, _, true, false> { world: &world, lighting, ending, depth };
         let camera = self.stage.camera.with_film(SIDE, SIDE);
-        let settings =
-            Settings { width: SIDE, height: SIDE, spp, seed, threads: 1, ..Settings::default() };
-        let rendering = render_counted(&settings, |pixel, sampler, tally: &mut T| {
+        let rendering = render_counted(&settings(spp, seed), |pixel, sampler, tally: &mut T| {
             tracer.radiance(camera.ray(position(pixel, sampler)), sampler, tally)
         });
         (rendering.film, rendering.tally)
     }
+
+    /// The same by sixteen paths side by side; black if that is not possible.
+    pub(super) fn draw_abreast(&self, how: How, start: Start) -> Film {
+        self.abreast(how, start).unwrap_or_else(|| Film::new(SIDE, SIDE))
+    }
+
+    fn abreast(&self, how: How, start: Start) -> Option<Film> {
+        let world = self.stage.world().narrowed(Smooth::lambert)?;
+        let (lights, settings) = (lights(&world), settings(how.spp, how.seed));
+        let Rule::Throughput(roulette) = how.rule else { return None };
+        let ending = (roulette, how.depth);
+        let abreast = Abreast::new(&world, &self.stage.camera, &lights, ending, &settings)?;
+        Some(abreast.starting(start).draw::<Off>().film)
+    }
+}
+
+fn lights(world: &World<Lambert>) -> Lights {
+    Lights::new(world.space, &world.surfaces, Choice::Power, Way::Area)
+}
+
+fn settings(spp: u32, seed: u64) -> Settings {
+    Settings { width: SIDE, height: SIDE, spp, seed, threads: 1, ..Settings::default() }
 }

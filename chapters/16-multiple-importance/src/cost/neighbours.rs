@@ -43,7 +43,7 @@ pub(super) fn experiment() -> Option<Experiment<'static>> {
         title: "The middle of the Cornell box, 40x40, by paths that squares of pixels share",
         work_unit: "paths",
         error_metric: "relative RMSE against 2048 spp of pixels alone, itself off by less than 0.02",
-        plot: Plot::ErrorOverTime("relative error (RMSE)"),
+        plot: Plot::Convergence("relative error (RMSE)"),
         methods,
         note: no_note,
     })

@@ -25,7 +25,7 @@ fn sight() -> Option<Rc<Sight>> {
     Sight::new(&Plates::VEACH.close_up(), SIZE, 2, CONVERGED)
 }
 
-/// The error over the samples of a pixel.
+/// The error over the time, for more and more samples of a pixel.
 pub(super) fn experiment() -> Option<Experiment<'static>> {
     let sight = sight()?;
     let of = |spp: u32| {
@@ -40,7 +40,7 @@ pub(super) fn experiment() -> Option<Experiment<'static>> {
         title: "Veach's plates, but for pixels that show a lamp, 64x32, to a depth of 2",
         work_unit: "paths",
         error_metric: "relative RMSE against 2048 spp of both ways, itself off by less than 0.05",
-        plot: Plot::ErrorOver { size: "samples of a pixel", error: "relative error (RMSE)" },
+        plot: Plot::Convergence("relative error (RMSE)"),
         methods,
         note: no_note,
     })
