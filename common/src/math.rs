@@ -17,6 +17,12 @@ pub fn cos(angle: f32) -> f32 {
     libm::cosf(angle)
 }
 
+/// Sine and cosine together, which takes less time than both one by one; the same numbers.
+#[inline]
+pub fn sin_cos(angle: f32) -> (f32, f32) {
+    libm::sincosf(angle)
+}
+
 /// Tangent.
 #[inline]
 pub fn tan(angle: f32) -> f32 {
@@ -62,7 +68,7 @@ pub fn difference_of_products(a: f32, b: f32, c: f32, d: f32) -> f32 {
 
 #[cfg(test)]
 mod tests {
-    use super::{acos, atan2, cos, difference_of_products, pow, sin, tan};
+    use super::{acos, atan2, cos, difference_of_products, pow, sin, sin_cos, tan};
 
     /// Hard case X-06: these bits hold on every machine, or a picture would not. Each is also the
     /// float nearest to the true value, found with 53-bit arithmetic elsewhere.
@@ -77,6 +83,18 @@ mod tests {
             pow(0.7, 2.2).to_bits(),
         ];
         assert_eq!(bits.map(|bits| format!("{bits:08x}")), PINNED);
+    }
+
+    #[test]
+    fn both_together_are_each_alone() {
+        for bits in (0..=f32::INFINITY.to_bits()).step_by(4099) {
+            let angle = f32::from_bits(bits);
+            for angle in [angle, -angle] {
+                let (sine, cosine) = sin_cos(angle);
+                let both = [sine, cosine].map(f32::to_bits);
+                assert_eq!(both, [sin(angle), cos(angle)].map(f32::to_bits), "{angle:e}");
+            }
+        }
     }
 
     const PINNED: [&str; 6] =

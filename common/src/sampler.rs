@@ -100,6 +100,7 @@ pub struct Samplers<const COUNT: usize> {
 
 impl<const COUNT: usize> Samplers<COUNT> {
     /// All of them the same.
+    #[inline(always)]
     pub fn splat(sampler: Sampler) -> Self {
         let Sampler { pixel, key, index, count } = sampler;
         let (pixel, key) = ([pixel; COUNT], [key; COUNT]);
@@ -173,11 +174,26 @@ fn mix(key: u64) -> u64 {
 
 #[cfg(test)]
 mod tests {
-    use super::{PIXEL_OFFSET, Purpose, Sampler, Stream, mix};
+    use super::{PIXEL_OFFSET, Purpose, Sampler, Samplers, Stream, mix};
 
     #[test]
     fn splitmix64_gives_its_published_first_output() {
         assert_eq!(mix(0), 0xe220_a839_7b1d_cdaf);
+    }
+
+    #[test]
+    fn samplers_side_by_side_are_what_each_was() {
+        let sampler = |pixel: u64| Sampler::new(7, pixel, pixel as u32 % 3, 3);
+        let mut samplers = Samplers::<4>::splat(sampler(9));
+        (0..3).for_each(|place| samplers.set(place, sampler(place as u64)));
+        for (place, pixel) in [0, 1, 2, 9].into_iter().enumerate() {
+            let (found, expected) = (samplers.at(place), sampler(pixel));
+            let numbers = |sampler: &Sampler| {
+                let own = sampler.stream(1, PIXEL_OFFSET).bits();
+                (own, sampler.shared(2, PIXEL_OFFSET), sampler.index(), sampler.count())
+            };
+            assert_eq!(numbers(&found), numbers(&expected));
+        }
     }
 
     #[test]

@@ -5,8 +5,6 @@
 //! for all of them, and nothing has to be searched. The arithmetic is that of the watertight test,
 //! operation by operation, so the answers are the same to the last bit.
 
-use std::array::from_fn;
-
 use glam::Vec3;
 
 use crate::area::has_area;
@@ -102,7 +100,11 @@ impl Few {
     #[inline(always)]
     pub fn blocked(&self, bundle: &Bundle, sheared: &mut Sheared) -> [bool; RAYS] {
         let best = self.best::<true>(bundle, 1.0, sheared);
-        from_fn(|ray| best.triangle[ray] != NONE)
+        let mut blocked = [false; RAYS];
+        for ray in 0..RAYS {
+            blocked[ray] = best.triangle[ray] != NONE;
+        }
+        blocked
     }
 
     /// The best hits before `limit`, which is 1 for `SHORT` rays.

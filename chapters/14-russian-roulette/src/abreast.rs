@@ -12,6 +12,7 @@ mod paths;
 mod room;
 mod sights;
 mod vertices;
+mod waiting;
 
 use std::ops::Range;
 
@@ -30,11 +31,12 @@ use triangles::bundle::RAYS;
 use fresh::{Cursor, Fresh};
 use paths::{Paths, Tracer};
 use room::Room;
+use waiting::Waiting;
 
 /// Rows of pixels that a thread does in one go.
 const ROWS: u32 = 8;
 /// Samples after which sixteen paths wait for the last of them, and Ctrl-C is heard.
-const BATCH: usize = 1 << 12;
+const BATCH: usize = 1 << 14;
 
 /// A small scene of matte triangles, its lamps looked at by their area.
 #[derive(Debug)]
@@ -119,32 +121,28 @@ impl<E: Ending + Copy, T: Tally> NullaryFnOnce for Batch<'_, E, T> {
         let Self { abreast, first, colors, tally } = self;
         let Abreast { room, ending, depth, camera, settings, start } = abreast;
         let tracer = Tracer { room, ending: *ending, depth: *depth };
-        let (mut paths, mut next) = (Paths::new(), 0);
+        let (mut paths, mut waiting, mut next) = (Paths::new(), Waiting::new(), 0);
+        colors.fill(Color::ZERO);
         let mut cursor = Cursor::at(first as u64, settings);
-        let mut fresh = Fresh::next(&mut cursor, camera, settings);
+        let mut fresh = Fresh::new();
         loop {
             let all_ended = !paths.used.contains(&true);
             for path in 0..RAYS {
                 let has_room = !paths.used[path] && (all_ended || *start == Start::AtOnce);
                 if has_room && next < colors.len() {
+                    if next % RAYS == 0 {
+                        fresh.fill(&mut cursor, camera, settings);
+                    }
                     paths.start(path, next, &fresh, next % RAYS);
                     next += 1;
-                    if next % RAYS == 0 {
-                        fresh = Fresh::next(&mut cursor, camera, settings);
-                    }
                 }
             }
-            let before = paths.used;
-            if !before.contains(&true) {
+            if !paths.used.contains(&true) {
                 break;
             }
-            paths.step(&tracer, tally);
-            for path in 0..RAYS {
-                if before[path] && !paths.used[path] {
-                    colors[paths.sample[path]] = paths.radiance.at(path);
-                }
-            }
+            paths.step(&tracer, &mut waiting, colors, tally);
         }
+        waiting.ask(&room.few, colors, tally);
         tally.count(CAMERA_RAYS, colors.len() as u64);
     }
     // ANCHOR_END: batch

@@ -2,7 +2,7 @@
 
 use std::f32::consts::{FRAC_PI_2, FRAC_PI_4, PI, TAU};
 
-use common::math::{cos, sin};
+use common::math::sin_cos;
 use glam::Vec2;
 
 /// The density per area: one over the disk's area.
@@ -18,7 +18,8 @@ pub fn polar(u: Vec2) -> Vec2 {
 /// The unit vector at `angle`, in radians.
 #[inline]
 pub fn direction(angle: f32) -> Vec2 {
-    Vec2::new(cos(angle), sin(angle))
+    let (sine, cosine) = sin_cos(angle);
+    Vec2::new(cosine, sine)
 }
 // ANCHOR_END: polar
 

@@ -44,26 +44,30 @@ pub(super) struct Fresh {
 }
 
 impl Fresh {
+    /// None yet.
+    #[inline(always)]
+    pub(super) fn new() -> Self {
+        let samplers = Samplers::splat(Sampler::new(0, 0, 0, 1));
+        Self { samplers, origin: Vectors::ZERO, direction: Vectors::ZERO }
+    }
+
     /// The next sixteen from `cursor` on. The last may be beyond the film, and mean nothing.
     #[inline(always)]
-    pub(super) fn next(cursor: &mut Cursor, camera: &Camera, settings: &Settings) -> Self {
+    pub(super) fn fill(&mut self, cursor: &mut Cursor, camera: &Camera, settings: &Settings) {
         let (mut x, mut y, mut index) = ([0; RAYS], [0; RAYS], [0; RAYS]);
         for path in 0..RAYS {
             (x[path], y[path], index[path]) = (cursor.pixel.x, cursor.pixel.y, cursor.index);
             cursor.step(settings);
         }
-        let samplers = Samplers::splat(Sampler::new(0, 0, 0, 1));
-        let mut fresh = Self { samplers, origin: Vectors::ZERO, direction: Vectors::ZERO };
         for path in 0..RAYS {
             let pixel = Pixel { x: x[path], y: y[path] };
             let number = u64::from(pixel.y) * u64::from(settings.width) + u64::from(pixel.x);
             let sampler = Sampler::new(settings.seed, number, index[path], settings.spp);
             let ray = camera.ray(position(pixel, &sampler));
-            fresh.samplers.set(path, sampler);
-            fresh.origin.set(path, ray.origin);
-            fresh.direction.set(path, ray.direction);
+            self.samplers.set(path, sampler);
+            self.origin.set(path, ray.origin);
+            self.direction.set(path, ray.direction);
         }
-        fresh
     }
 }
 // ANCHOR_END: fresh

@@ -18,6 +18,7 @@ use super::fresh::Fresh;
 use super::room::Room;
 use super::sights::Sights;
 use super::vertices::Vertices;
+use super::waiting::{Sight, Waiting};
 
 /// What is the same for all paths.
 pub(super) struct Tracer<'a, E> {
@@ -32,14 +33,12 @@ pub(super) struct Paths {
     /// Whether there is a path.
     pub(super) used: [bool; RAYS],
     /// The sample it is for.
-    pub(super) sample: [usize; RAYS],
+    sample: [usize; RAYS],
     samplers: Samplers<RAYS>,
     pub(super) bounce: [u32; RAYS],
     origin: Vectors,
     pub(super) direction: Vectors,
     pub(super) throughput: Vectors,
-    /// What it has found so far.
-    pub(super) radiance: Vectors,
     sheared: Sheared,
 }
 // ANCHOR_END: paths
@@ -55,7 +54,6 @@ impl Paths {
             origin: Vectors::ZERO,
             direction: Vectors::ZERO,
             throughput: Vectors::ZERO,
-            radiance: Vectors::ZERO,
             sheared: [Vectors::ZERO; MOST],
         }
     }
@@ -70,50 +68,63 @@ impl Paths {
         self.origin.set(path, fresh.origin.at(number));
         self.direction.set(path, fresh.direction.at(number));
         self.throughput.set(path, Color::ONE);
-        self.radiance.set(path, Color::ZERO);
     }
 
     // ANCHOR: step
     /// Follows each path to the next surface. Those that end there are no longer used.
     #[inline(always)]
-    pub(super) fn step<E: Ending, T: Tally>(&mut self, tracer: &Tracer<E>, tally: &mut T) {
+    pub(super) fn step<E: Ending, T: Tally>(
+        &mut self,
+        tracer: &Tracer<E>,
+        waiting: &mut Waiting,
+        colors: &mut [Color],
+        tally: &mut T,
+    ) {
         let few = &tracer.room.few;
         let rays = Bundle::new(&self.origin, &self.direction, &self.used);
         let nearest = few.nearest(&rays, &mut self.sheared);
         let vertices = Vertices::new(self, tracer, &nearest);
         vertices.count(self, tracer, tally);
-        self.meet_lamps(tracer.room, &vertices);
+        self.meet_lamps(tracer.room, &vertices, waiting, colors);
 
         let sights = Sights::new(self, tracer.room, &vertices);
-        let rays = Bundle::new(&sights.origin, &sights.direction, &sights.used);
-        let blocked = few.blocked(&rays, &mut self.sheared);
-        sights.count(few.len(), &blocked, tally);
-        self.take(&sights, &blocked);
-
+        sights.wait(&self.sample, waiting, tally);
+        while waiting.is_full() {
+            waiting.ask(few, colors, tally);
+        }
         self.turn(tracer, &vertices);
         self.count(tally);
     }
     // ANCHOR_END: step
 
-    /// The light of lamps that the paths came upon: seen by the eye, or never looked at.
+    /// The light of lamps that the paths came upon: seen by the eye, or never looked at. What is found
+    /// later waits until all that was found before has been added.
     #[inline(always)]
-    fn meet_lamps(&mut self, room: &Room, vertices: &Vertices) {
+    fn meet_lamps(
+        &self,
+        room: &Room,
+        vertices: &Vertices,
+        waiting: &mut Waiting,
+        colors: &mut [Color],
+    ) {
+        let mut light = Vectors::ZERO;
         for path in 0..RAYS {
             let triangle = vertices.triangle[path];
             let counts = vertices.met[path] & ((self.bounce[path] == 0) | room.is_stray(triangle));
             let emitted = room.emission(triangle).towards(vertices.height[path]);
-            let light = if counts { self.throughput.at(path) * emitted } else { Color::ZERO };
-            self.radiance.set(path, self.radiance.at(path) + light);
+            let found = if counts { self.throughput.at(path) * emitted } else { Color::ZERO };
+            light.set(path, found);
         }
-    }
-
-    /// The light of lamps that nothing is in the way of.
-    #[inline(always)]
-    fn take(&mut self, sights: &Sights, blocked: &[bool; RAYS]) {
         for path in 0..RAYS {
-            let found = sights.used[path] & !blocked[path];
-            let light = if found { sights.light.at(path) } else { Color::ZERO };
-            self.radiance.set(path, self.radiance.at(path) + light);
+            let (sample, light) = (self.sample[path], light.at(path));
+            if !is_some(light) {
+                continue;
+            }
+            if self.bounce[path] == 0 {
+                colors[sample] += light;
+            } else {
+                waiting.push(Sight { sample, origin: Vec3::ZERO, way: Vec3::ZERO, light });
+            }
         }
     }
 

@@ -3,7 +3,6 @@
 use common::film::Color;
 use glam::Vec3;
 use light_sampling::lights::Lights;
-use monte_carlo::frame::Frame;
 use path_tracing::lambert::Lambert;
 use path_tracing::part::Emission;
 use path_tracing::space::Piece;
@@ -25,8 +24,6 @@ pub(super) struct Room {
     pub(super) lamps: Lamps,
     corners: [Column; 3],
     pub(super) normal: Column,
-    pub(super) tangent: Column,
-    pub(super) bitangent: Column,
     pub(super) reflectance: Column,
     pub(super) radiance: Column,
     both_sides: [bool; MOST],
@@ -52,8 +49,6 @@ impl Room {
             lamps: Lamps::new(lights)?,
             corners: [Column::ZERO, Column::ZERO, Column::ZERO],
             normal: Column::ZERO,
-            tangent: Column::ZERO,
-            bitangent: Column::ZERO,
             reflectance: Column::ZERO,
             radiance: Column::ZERO,
             both_sides: [false; MOST],
@@ -69,13 +64,11 @@ impl Room {
 
     fn set(&mut self, place: usize, corners: [Vec3; 3], reflectance: Color, emission: Emission) {
         // One without an area is never met.
-        let frame = Frame::around(geometric_normal(&corners).unwrap_or(Vec3::Z));
+        let normal = geometric_normal(&corners).unwrap_or(Vec3::Z);
         for (column, corner) in self.corners.iter_mut().zip(corners) {
             column.set(place, corner);
         }
-        self.normal.set(place, frame.normal);
-        self.tangent.set(place, frame.tangent);
-        self.bitangent.set(place, frame.bitangent);
+        self.normal.set(place, normal);
         self.reflectance.set(place, reflectance);
         self.radiance.set(place, emission.radiance);
         self.both_sides[place] = emission.both_sides;

@@ -1,7 +1,5 @@
 //! The light that sixteen paths may get from lamps.
 
-use std::array::from_fn;
-
 use common::tally::Tally;
 use glam::{Vec2, Vec3};
 use light_sampling::by_light::LIGHT_SAMPLES;
@@ -10,8 +8,7 @@ use light_sampling::lights::LAMP_POINT;
 use monte_carlo::warp::triangle::barycentric;
 use path_tracing::bsdf::Bsdf;
 use path_tracing::part::Emission;
-use shadows::visibility::{BLOCKED_RAYS, SHADOW_RAYS, between_hits};
-use triangles::brute::TRIANGLE_TESTS;
+use shadows::visibility::between_hits;
 use triangles::bundle::{RAYS, Vectors};
 use triangles::surface::place;
 
@@ -19,6 +16,7 @@ use super::column::is_some;
 use super::paths::Paths;
 use super::room::Room;
 use super::vertices::{Vertices, on};
+use super::waiting::{Sight, Waiting};
 
 // ANCHOR: sights
 /// Light that comes from lamps, if nothing is in its way.
@@ -26,10 +24,10 @@ pub(super) struct Sights {
     /// Whether there is a point of a lamp.
     sampled: [bool; RAYS],
     /// Whether it can bring any light.
-    pub(super) used: [bool; RAYS],
-    pub(super) origin: Vectors,
-    pub(super) direction: Vectors,
-    pub(super) light: Vectors,
+    used: [bool; RAYS],
+    origin: Vectors,
+    way: Vectors,
+    light: Vectors,
 }
 
 impl Sights {
@@ -42,13 +40,16 @@ impl Sights {
             sampled: [false; RAYS],
             used: [false; RAYS],
             origin: Vectors::ZERO,
-            direction: Vectors::ZERO,
+            way: Vectors::ZERO,
             light: Vectors::ZERO,
         };
         let lamps = &chosen.triangle;
         let [a, b, c] = &room.corners(lamps);
         let (normal, radiance) = (room.normal.of(lamps), room.radiance.of(lamps));
-        let both_sides: [bool; RAYS] = from_fn(|path| room.emission(lamps[path]).both_sides);
+        let mut both_sides = [false; RAYS];
+        for path in 0..RAYS {
+            both_sides[path] = room.emission(lamps[path]).both_sides;
+        }
         for path in 0..RAYS {
             let weights = barycentric(Vec2::new(chosen.rest[path], u[1][path]));
             let placed = place([a.at(path), b.at(path), c.at(path)], weights);
@@ -68,7 +69,7 @@ impl Sights {
             sights.sampled[path] = sampled;
             sights.used[path] = sampled & is_some(part);
             sights.origin.set(path, ray.origin);
-            sights.direction.set(path, ray.direction);
+            sights.way.set(path, ray.direction);
             let light = part * radiance / pdf;
             sights.light.set(path, paths.throughput.at(path) * light);
         }
@@ -76,19 +77,28 @@ impl Sights {
     }
     // ANCHOR_END: sights
 
-    /// Counts the shadow rays.
+    /// Adds those that may bring light to what waits.
     #[inline(always)]
-    pub(super) fn count<T: Tally>(&self, triangles: usize, blocked: &[bool; RAYS], tally: &mut T) {
-        let Some(counts) = tally.counts() else { return };
-        let (mut sampled, mut used, mut found) = (0, 0, 0);
+    pub(super) fn wait<T: Tally>(
+        &self,
+        sample: &[usize; RAYS],
+        waiting: &mut Waiting,
+        tally: &mut T,
+    ) {
+        let mut sampled = 0;
         for path in 0..RAYS {
             sampled += u64::from(self.sampled[path]);
-            used += u64::from(self.used[path]);
-            found += u64::from(self.used[path] & blocked[path]);
         }
-        counts.count(LIGHT_SAMPLES, sampled);
-        counts.count(SHADOW_RAYS, used);
-        counts.count(TRIANGLE_TESTS, used * triangles as u64);
-        counts.count(BLOCKED_RAYS, found);
+        tally.count(LIGHT_SAMPLES, sampled);
+        for path in 0..RAYS {
+            if self.used[path] {
+                waiting.push(Sight {
+                    sample: sample[path],
+                    origin: self.origin.at(path),
+                    way: self.way.at(path),
+                    light: self.light.at(path),
+                });
+            }
+        }
     }
 }

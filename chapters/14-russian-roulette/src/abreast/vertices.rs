@@ -23,8 +23,6 @@ pub(super) struct Vertices {
     pub(super) triangle: [u32; RAYS],
     point: Vectors,
     error: Vectors,
-    tangent: Vectors,
-    bitangent: Vectors,
     normal: Vectors,
     pub(super) reflectance: Vectors,
     /// How high the eye is over the surface, for a way of length 1.
@@ -46,8 +44,6 @@ impl Vertices {
             triangle: nearest.place,
             point: Vectors::ZERO,
             error: Vectors::ZERO,
-            tangent: room.tangent.of(places),
-            bitangent: room.bitangent.of(places),
             normal: room.normal.of(places),
             reflectance: room.reflectance.of(places),
             height: [0.0; RAYS],
@@ -76,8 +72,7 @@ impl Vertices {
     /// Its axes.
     #[inline(always)]
     pub(super) fn frame(&self, path: usize) -> Frame {
-        let (tangent, bitangent) = (self.tangent.at(path), self.bitangent.at(path));
-        Frame { tangent, bitangent, normal: self.normal.at(path) }
+        Frame::around(self.normal.at(path))
     }
 
     /// Its material.
