@@ -48,7 +48,7 @@ pub(super) fn experiment() -> Option<Experiment<'static>> {
         methods: vec![
             method("one by one", single),
             method("sixteen, all wait for the longest", together),
-            method("sixteen, who ends makes room", at_once),
+            method("sixteen, a path that ends makes room", at_once),
         ],
         note,
     })
@@ -57,8 +57,8 @@ pub(super) fn experiment() -> Option<Experiment<'static>> {
 fn note(table: &Table) -> String {
     let [single, together, at_once] = &table.rows[..] else { return String::new() };
     format!(
-        "Side by side takes {:.1} times less time than one by one, and {:.1} times less if all wait for \
-         the longest path.",
+        "Side by side is {:.1} times as fast as one by one, and {:.1} times as fast if all wait for the \
+         longest path.",
         single.nanoseconds() / at_once.nanoseconds(),
         single.nanoseconds() / together.nanoseconds()
     )

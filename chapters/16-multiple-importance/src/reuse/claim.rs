@@ -67,7 +67,7 @@ impl Source {
         let claims: Vec<Claim> =
             firsts.iter().filter_map(|first| self.claim(space, first, tally)).collect();
         let Some(own) = claims.iter().find(|claim| claim.place == self.place) else {
-            // Too near or too far to be measured: it remains whose it is.
+            // Too near or too far to be measured: it stays with the pixel that found it.
             colors[self.place] += self.throughput * self.radiance;
             return;
         };
@@ -96,7 +96,7 @@ impl Source {
         let squared = way.length_squared();
         let direction = (way / squared.sqrt()).as_vec3();
         let cosine = -direction.dot(self.hit.geometric);
-        // Seen from the other side it has another radiance. No number is on no side.
+        // Seen from the other side it has another radiance. NaN is on neither side.
         if !(cosine * self.side > 0.0) {
             return None;
         }
