@@ -50,7 +50,6 @@ impl Vectors {
     }
 }
 
-// ANCHOR: bundle
 /// Sixteen rays made ready for triangles: what a
 /// [`ShearedRay`](crate::watertight::ShearedRay) holds, side by side.
 #[derive(Clone, Copy, Debug)]
@@ -63,7 +62,6 @@ pub struct Bundle {
     /// A ray that hits nothing, whatever there is.
     pub(crate) idle: [bool; RAYS],
 }
-// ANCHOR_END: bundle
 
 impl Bundle {
     /// Rays from these origins in these directions. Where `used` says no, the ray hits nothing.
@@ -90,7 +88,6 @@ impl Bundle {
         bundle
     }
 
-    // ANCHOR: shear
     /// A corner in the coordinates of all rays.
     #[inline(always)]
     pub(crate) fn shear(&self, corner: Vec3) -> Vectors {
@@ -101,7 +98,6 @@ impl Bundle {
             Vec3::new(x, y, offset.z)
         })
     }
-    // ANCHOR_END: shear
 }
 
 /// The number of the axis along which `direction` goes farthest; as the watertight test has it.

@@ -8,15 +8,13 @@
 use glam::Vec3;
 
 use crate::area::has_area;
-use crate::brute::Found;
-use crate::bundle::{Bundle, Floats, RAYS, Vectors};
-use crate::intersect::TriangleHit;
-use crate::watertight::{Measured, measure};
+use crate::bundle::{Bundle, RAYS, Vectors};
+use crate::nearest::{Best, NONE, Nearest};
+use crate::watertight::measure;
 
 /// The most triangles, and the most corners: what fits the fastest of the processor's caches.
 pub const MOST: usize = 64;
 
-// ANCHOR: few
 /// A few triangles, and each of their corners once.
 #[derive(Clone, Debug)]
 pub struct Few {
@@ -26,7 +24,6 @@ pub struct Few {
     /// Its place in the list it came from.
     places: [u32; MOST],
 }
-// ANCHOR_END: few
 
 /// Room for the corners in the coordinates of all rays. What is in it before doesn't matter.
 pub type Sheared = [Vectors; MOST];
@@ -37,20 +34,6 @@ type Candidates = [[u32; RAYS]; GROUPS];
 /// A bit for each triangle of a group.
 const GROUP: usize = u32::BITS as usize;
 const GROUPS: usize = MOST / GROUP;
-
-/// What the rays hit first.
-#[derive(Clone, Copy, Debug)]
-pub struct Nearest {
-    /// The triangles' places in the list, or [`NONE`].
-    pub place: [u32; RAYS],
-    /// How far along the rays.
-    pub t: Floats,
-    /// The barycentric weights of the points.
-    pub weights: Vectors,
-}
-
-/// The place of no triangle.
-pub const NONE: u32 = u32::MAX;
 
 impl Few {
     /// These triangles. `None` if they, or their corners, are more than [`MOST`].
@@ -88,23 +71,16 @@ impl Few {
         self.triangles.is_empty()
     }
 
-    // ANCHOR: nearest
     /// What each ray hits first; of several at the same distance, the one that comes first in the list.
     #[inline(always)]
     pub fn nearest(&self, bundle: &Bundle, sheared: &mut Sheared) -> Nearest {
         self.best::<false>(bundle, f32::INFINITY, sheared).nearest(&self.places)
     }
-    // ANCHOR_END: nearest
 
     /// Whether each ray hits anything before t = 1.
     #[inline(always)]
     pub fn blocked(&self, bundle: &Bundle, sheared: &mut Sheared) -> [bool; RAYS] {
-        let best = self.best::<true>(bundle, 1.0, sheared);
-        let mut blocked = [false; RAYS];
-        for ray in 0..RAYS {
-            blocked[ray] = best.triangle[ray] != NONE;
-        }
-        blocked
+        self.best::<true>(bundle, 1.0, sheared).is_any()
     }
 
     /// The best hits before `limit`, which is 1 for `SHORT` rays.
@@ -154,7 +130,6 @@ impl Few {
     }
     // ANCHOR_END: candidates
 
-    // ANCHOR: ask
     /// Measures one candidate of each ray that has any, and takes it out.
     #[inline(always)]
     fn ask(
@@ -185,71 +160,12 @@ impl Few {
             best.take(ray, asked[ray], measured);
         }
     }
-    // ANCHOR_END: ask
 }
 
-/// Twice the area that the origin spans with p and q, as [`ShearedRay`] has it.
+/// Twice the area that the origin spans with p and q, as the watertight test has it.
 #[inline(always)]
 fn edge(p: &Vectors, q: &Vectors, ray: usize) -> f32 {
     p.x[ray] * q.y[ray] - p.y[ray] * q.x[ray]
-}
-
-/// The best hits so far.
-struct Best {
-    triangle: [u32; RAYS],
-    t: Floats,
-    edges: [[f64; RAYS]; 3],
-    determinant: [f64; RAYS],
-}
-
-impl Best {
-    /// None yet, and none from `limit` on.
-    #[inline(always)]
-    fn new(limit: f32) -> Self {
-        Self {
-            triangle: [NONE; RAYS],
-            t: [limit; RAYS],
-            edges: [[0.0; RAYS]; 3],
-            determinant: [1.0; RAYS],
-        }
-    }
-
-    /// Takes a hit, which is nearer than all before it. They come in the triangles' order, so of two at
-    /// the same distance the first stays.
-    #[inline(always)]
-    fn take(&mut self, ray: usize, asked: u32, measured: Option<Measured>) {
-        let better = (asked != NONE) & measured.is_some();
-        let new = measured.unwrap_or(Measured::NONE);
-        let pick = |new: f64, old: f64| if better { new } else { old };
-        self.triangle[ray] = if better { asked } else { self.triangle[ray] };
-        self.t[ray] = if better { new.t } else { self.t[ray] };
-        self.determinant[ray] = pick(new.determinant, self.determinant[ray]);
-        for (old, new) in self.edges.iter_mut().zip(new.edges) {
-            old[ray] = pick(new, old[ray]);
-        }
-    }
-
-    /// The hits, by their `places` in the list.
-    #[inline(always)]
-    fn nearest(&self, places: &[u32; MOST]) -> Nearest {
-        let mut nearest = Nearest { place: [NONE; RAYS], t: self.t, weights: Vectors::ZERO };
-        for ray in 0..RAYS {
-            let triangle = self.triangle[ray];
-            let place = places[triangle as usize % MOST];
-            nearest.place[ray] = if triangle == NONE { NONE } else { place };
-            let weight = |edge: usize| (self.edges[edge][ray] / self.determinant[ray]) as f32;
-            nearest.weights.set(ray, Vec3::new(weight(0), weight(1), weight(2)));
-        }
-        nearest
-    }
-}
-
-impl Nearest {
-    /// What ray number `ray` hits first.
-    pub fn found(&self, ray: usize) -> Option<Found> {
-        let hit = TriangleHit { t: self.t[ray], barycentric: self.weights.at(ray) };
-        (self.place[ray] != NONE).then(|| Found { hit, index: self.place[ray] as usize })
-    }
 }
 
 #[cfg(test)]
@@ -311,5 +227,47 @@ mod tests {
             }
         }
         assert!(hits > 5_000, "{hits}");
+    }
+
+    #[test]
+    fn more_than_a_few_are_refused_and_what_can_t_be_hit_is_left_out() {
+        let ball = bumpy::sphere(1000).all_corners();
+        assert!(Few::new(&ball).is_none(), "{} triangles", ball.len());
+        // Few triangles, but none of them shares a corner.
+        let apart = |number: u8| {
+            let x = f32::from(number);
+            [Vec3::new(x, 0.0, 0.0), Vec3::new(x, 1.0, 0.0), Vec3::new(x, 0.0, 1.0)]
+        };
+        assert!(Few::new(&(0..21).map(apart).collect::<Vec<_>>()).is_some());
+        assert!(Few::new(&(0..22).map(apart).collect::<Vec<_>>()).is_none());
+        let line = [Vec3::ZERO, Vec3::X, 2.0 * Vec3::X];
+        let few = Few::new(&[line, [Vec3::NAN; 3], apart(2)]).expect("few enough");
+        assert_eq!((few.len(), few.is_empty()), (1, false));
+        assert!(Few::new(&[]).expect("few enough").is_empty());
+    }
+
+    #[test]
+    fn rays_that_are_none_hit_nothing() {
+        let few = Few::new(&bumpy::sphere(60).all_corners()).expect("few enough");
+        let mut sheared = [Vectors::ZERO; MOST];
+        let right = Ray { origin: Vec3::new(0.1, 0.2, 3.0), direction: Vec3::new(0.0, 0.0, -9.0) };
+        let wrong = [
+            Ray { direction: Vec3::ZERO, ..right },
+            Ray { direction: Vec3::NAN, ..right },
+            Ray { direction: Vec3::X * f32::INFINITY, ..right },
+            Ray { origin: Vec3::NAN, ..right },
+        ];
+        let rays = std::array::from_fn(|number| *wrong.get(number).unwrap_or(&right));
+        let bundle = bundle(&rays);
+        let (found, blocked) =
+            (few.nearest(&bundle, &mut sheared), few.blocked(&bundle, &mut sheared));
+        for (number, blocked) in blocked.into_iter().enumerate() {
+            let is_right = number >= wrong.len();
+            assert_eq!((found.found(number).is_some(), blocked), (is_right, is_right), "{number}");
+        }
+        let origin = Vectors::of(|_| right.origin);
+        let unused = Bundle::new(&origin, &Vectors::of(|_| right.direction), &[false; RAYS]);
+        assert_eq!(few.blocked(&unused, &mut sheared), [false; RAYS]);
+        assert!((0..RAYS).all(|ray| few.nearest(&unused, &mut sheared).found(ray).is_none()));
     }
 }

@@ -22,7 +22,7 @@
 //! | [`area`] | whether a triangle has an area, decided exactly |
 //! | [`brute`] | the nearest hit among all triangles |
 //! | [`mesh`] | triangles that share their vertices |
-//! | [`bundle`], [`few`] | sixteen rays at a time, against a few triangles |
+//! | [`bundle`], [`few`], [`nearest`] | sixteen rays at a time, against a few triangles |
 //! | [`packed`] | a mesh as a shape, four triangles at a time |
 //! | [`parts`] | a mesh in parts, one a material |
 //! | [`closed`] | meshes that have an inside |
@@ -50,6 +50,7 @@ pub mod intersect;
 pub mod lanes;
 pub mod mesh;
 pub mod naive;
+pub mod nearest;
 pub mod packed;
 pub mod parts;
 pub mod picture;

@@ -62,7 +62,7 @@ impl Table {
         let slot = slot(u);
         let index = self.ends.partition_point(|&end| end <= slot);
         let (start, slots) = self.slots(index);
-        Pick { index, ..Pick::of_slot(slot, start, slots) }
+        Pick::of_slot(index, slot, start, slots)
     }
     // ANCHOR_END: pick
 
@@ -102,11 +102,11 @@ pub fn slot(u: f32) -> u32 {
 }
 
 impl Pick {
-    /// What is known of a thing that has `slots` slots from `start` on, among them `slot`.
+    /// Thing number `index`, which has `slots` slots from `start` on, picked by `slot`.
     #[inline]
-    pub fn of_slot(slot: u32, start: u32, slots: u32) -> Self {
+    pub fn of_slot(index: usize, slot: u32, start: u32, slots: u32) -> Self {
         let rest = slot.wrapping_sub(start) as f32 / slots as f32;
-        Self { index: 0, probability: slots as f32 / SLOTS as f32, rest: rest.min(BELOW_ONE) }
+        Self { index, probability: slots as f32 / SLOTS as f32, rest: rest.min(BELOW_ONE) }
     }
 }
 

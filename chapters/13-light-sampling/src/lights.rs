@@ -110,8 +110,9 @@ impl Lights {
     }
 
     /// The number of the lamp that this piece is.
+    #[inline]
     pub fn number(&self, piece: usize) -> Option<usize> {
-        self.of_piece.get(piece).map(|&lamp| lamp as usize).filter(|&lamp| lamp < self.lamps.len())
+        self.of_piece.get(piece).filter(|&&lamp| lamp != NONE).map(|&lamp| lamp as usize)
     }
 
     /// How often each lamp is chosen; `None` when there is no lamp.
@@ -132,9 +133,8 @@ impl Lights {
     /// The lamp of a piece, and the probability that it is chosen.
     #[inline]
     fn lamp(&self, piece: u32) -> Option<(&Lamp, f32)> {
-        let index = *self.of_piece.get(piece as usize)?;
-        let lamp = self.lamps.get(index as usize)?;
-        Some((lamp, self.table.as_ref()?.probability(index as usize)))
+        let number = self.number(piece as usize)?;
+        Some((self.lamps.get(number)?, self.table.as_ref()?.probability(number)))
     }
 }
 

@@ -35,7 +35,6 @@ impl Cursor {
     }
 }
 
-// ANCHOR: fresh
 /// Sixteen samples, and the camera's rays for them.
 pub(super) struct Fresh {
     pub(super) samplers: Samplers<RAYS>,
@@ -70,4 +69,3 @@ impl Fresh {
         }
     }
 }
-// ANCHOR_END: fresh

@@ -5,7 +5,6 @@ use monte_carlo::table::{Pick, slot};
 use triangles::bundle::{Floats, RAYS};
 use triangles::few::MOST;
 
-// ANCHOR: lamps
 /// The lamps that are looked at.
 #[derive(Clone, Debug)]
 pub(super) struct Lamps {
@@ -29,7 +28,6 @@ pub(super) struct Chosen {
     /// What is left of the number that chose it.
     pub(super) rest: [f32; RAYS],
 }
-// ANCHOR_END: lamps
 
 impl Lamps {
     /// The lamps. `None` if there is none to choose, or more than [`MOST`].
@@ -56,7 +54,6 @@ impl Lamps {
         Some(lamps)
     }
 
-    // ANCHOR: choose
     /// The lamps in whose slots the numbers `u` lie.
     #[inline(always)]
     pub(super) fn choose(&self, u: &Floats) -> Chosen {
@@ -74,7 +71,7 @@ impl Lamps {
         };
         for path in 0..RAYS {
             let lamp = lamp[path] as usize % MOST;
-            let pick = Pick::of_slot(slot(u[path]), self.start[lamp], self.slots[lamp]);
+            let pick = Pick::of_slot(lamp, slot(u[path]), self.start[lamp], self.slots[lamp]);
             chosen.triangle[path] = self.triangle[lamp];
             chosen.area[path] = self.area[lamp];
             chosen.probability[path] = pick.probability;
@@ -82,5 +79,4 @@ impl Lamps {
         }
         chosen
     }
-    // ANCHOR_END: choose
 }

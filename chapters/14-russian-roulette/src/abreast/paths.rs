@@ -27,7 +27,6 @@ pub(super) struct Tracer<'a, E> {
     pub(super) depth: u32,
 }
 
-// ANCHOR: paths
 /// Sixteen paths. One that ends makes room for another, so all are busy as long as there are any.
 pub(super) struct Paths {
     /// Whether there is a path.
@@ -41,7 +40,6 @@ pub(super) struct Paths {
     pub(super) throughput: Vectors,
     sheared: Sheared,
 }
-// ANCHOR_END: paths
 
 impl Paths {
     /// No path yet.
@@ -70,7 +68,6 @@ impl Paths {
         self.throughput.set(path, Color::ONE);
     }
 
-    // ANCHOR: step
     /// Follows each path to the next surface. Those that end there are no longer used.
     #[inline(always)]
     pub(super) fn step<E: Ending, T: Tally>(
@@ -95,7 +92,6 @@ impl Paths {
         self.turn(tracer, &vertices);
         self.count(tally);
     }
-    // ANCHOR_END: step
 
     /// The light of lamps that the paths came upon: seen by the eye, or never looked at. What is found
     /// later waits until all that was found before has been added.

@@ -14,7 +14,6 @@ use triangles::surface::geometric_normal;
 use super::column::Column;
 use super::lamps::Lamps;
 
-// ANCHOR: room
 /// A scene of a few matte triangles.
 #[derive(Clone, Debug)]
 pub(super) struct Room {
@@ -30,7 +29,6 @@ pub(super) struct Room {
     /// Whether it glows and is never looked at, so that its light counts wherever a path meets it.
     stray: [bool; MOST],
 }
-// ANCHOR_END: room
 
 impl Room {
     /// The scene, if it is of a few triangles and nothing else.

@@ -18,7 +18,6 @@ use super::room::Room;
 use super::vertices::{Vertices, on};
 use super::waiting::{Sight, Waiting};
 
-// ANCHOR: sights
 /// Light that comes from lamps, if nothing is in its way.
 pub(super) struct Sights {
     /// Whether there is a point of a lamp.
@@ -75,7 +74,6 @@ impl Sights {
         }
         sights
     }
-    // ANCHOR_END: sights
 
     /// Adds those that may bring light to what waits.
     #[inline(always)]

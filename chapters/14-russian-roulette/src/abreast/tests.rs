@@ -111,31 +111,56 @@ fn the_same_bits_however_paths_end() {
     same(&stage, (Rule::Throughput(Roulette { threshold: 2.0 }), 1000), &settings(24, 24, 4));
 }
 
-/// A lamp that shines to both sides, one that is too dark to be looked at, an open room, a triangle
-/// without area, and paths that leave.
-#[test]
-fn the_same_bits_in_an_odd_room() {
-    let square = |y: f32, side: f32| {
-        let corner = |x: f32, z: f32| Vec3::new(side * x, y, side * z);
-        Form::quad([corner(-1.0, -1.0), corner(-1.0, 1.0), corner(1.0, 1.0), corner(1.0, -1.0)])
-    };
+fn square(y: f32, side: f32) -> Form {
+    let corner = |x: f32, z: f32| Vec3::new(side * x, y, side * z);
+    Form::quad([corner(-1.0, -1.0), corner(-1.0, 1.0), corner(1.0, 1.0), corner(1.0, -1.0)])
+}
+
+/// A lamp that shines to both sides, one that reflects as well, an open room, a triangle without area,
+/// and paths that leave.
+fn odd_room() -> Vec<Part<Smooth>> {
     let mut both = Part::glowing(square(1.5, 0.5), Smooth::matte(0.2, 0.3, 0.4), Color::ONE);
     both.emission.both_sides = true;
-    let faint = Part::glowing(square(-0.9, 0.2), Smooth::BLACK, Color::new(1e-9, 1e-9, 0.0));
+    let low =
+        Part::glowing(square(-0.9, 0.4), Smooth::matte(0.1, 0.1, 0.1), Color::new(0.7, 0.5, 0.3));
     let line = Form::Triangles(vec![[Vec3::ZERO, Vec3::X, 2.0 * Vec3::X]]);
-    let parts = vec![
+    vec![
         Part::dark(square(-1.0, 2.0), Smooth::matte(0.9, 0.6, 0.0)),
         Part::dark(line, Smooth::matte(0.5, 0.5, 0.5)),
         both,
-        faint,
+        low,
         Part::dark(square(2.5, 3.0), Smooth::matte(0.8, 0.8, 0.8)),
-    ];
+    ]
+}
+
+fn odd(parts: Vec<Part<Smooth>>) -> Stage<Smooth> {
     let mut view = named("cornell", 0.5).expect("a scene").view;
     (view.eye, view.target) = (Vec3::new(0.3, 0.8, 5.0), Vec3::ZERO);
-    let stage = stage(&Model::new(parts, Color::ZERO, view));
-    assert_eq!(lights(&matte(&stage)).left_out(), 2, "of the faint lamp's two triangles");
+    stage(&Model::new(parts, Color::ZERO, view))
+}
+
+#[test]
+fn the_same_bits_in_an_odd_room() {
+    let stage = odd(odd_room());
+    assert_eq!(lights(&matte(&stage)).left_out(), 0);
     same(&stage, (RULE, 1000), &settings(40, 40, 9));
     same(&stage, (Rule::Never, 50), &settings(20, 20, 9));
+}
+
+/// Next to a glare that shines away from all, the room's own lamps are too faint to be looked at. Their
+/// light counts where paths come upon them, at any bounce.
+#[test]
+fn the_same_bits_of_lamps_that_are_met_by_chance_alone() {
+    let mut parts = odd_room();
+    parts.push(Part::glowing(square(30.0, 1.0), Smooth::BLACK, Color::splat(1e9)));
+    let stage = odd(parts);
+    let world = matte(&stage);
+    assert_eq!(lights(&world).left_out(), 4, "two lamps of two triangles");
+    same(&stage, (RULE, 1000), &settings(40, 40, 9));
+    let drawn = abreast(&stage, (RULE, 1000), &settings(40, 40, 9)).expect("matte triangles");
+    let seen = abreast(&stage, (RULE, 0), &settings(40, 40, 9)).expect("matte triangles");
+    let sum = |drawn: &Rendering<Counts>| drawn.film.tile_means(1, 1)[0].x;
+    assert!(sum(&drawn) > 1.05 * sum(&seen), "more than what the eye sees of lamps");
 }
 
 /// What is compiled for the oldest processors gives the bits of what is compiled for this one.

@@ -9,13 +9,12 @@ use ray_casting::rounding::Placed;
 use ray_casting::shape::Hit;
 use triangles::brute::TRIANGLE_TESTS;
 use triangles::bundle::{Floats, RAYS, Vectors};
-use triangles::few::{NONE, Nearest};
+use triangles::nearest::{NONE, Nearest};
 use triangles::surface::place;
 
 use super::column::is_some;
 use super::paths::{Paths, Tracer};
 
-// ANCHOR: vertices
 /// Where the paths are.
 pub(super) struct Vertices {
     /// Whether the path met anything.
@@ -30,7 +29,6 @@ pub(super) struct Vertices {
     /// Whether it sends light on, and the path may go on.
     pub(super) spreads: [bool; RAYS],
 }
-// ANCHOR_END: vertices
 
 impl Vertices {
     /// Where the paths have come to.

@@ -12,7 +12,6 @@ use triangles::few::{Few, MOST, Sheared};
 /// that was met and of one that was looked for, for each path.
 const ROOM: usize = 3 * RAYS;
 
-// ANCHOR: waiting
 /// Light that counts if nothing is on the way to it.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Sight {
@@ -33,7 +32,6 @@ pub(super) struct Waiting {
     count: usize,
     sheared: Sheared,
 }
-// ANCHOR_END: waiting
 
 impl Waiting {
     /// None.
